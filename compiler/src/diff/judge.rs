@@ -60,6 +60,8 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["commands", rest @ ..] => machine::command(rest, difference),
         ["transitions", rest @ ..] => machine::transition(versions, rest, difference),
         ["device_control", ..] => &kinds::CHANGED_BEHAVIOUR,
+        ["slots", _, "name" | "names" | "source", ..] => &kinds::CHANGED_TEXT,
+        ["slots", ..] => &kinds::CHANGED_SLOTS,
         ["modules", _, "name" | "source"] => &kinds::CHANGED_TEXT,
         ["modules", ..] => &kinds::CHANGED_SLOTS,
         ["modes", rest @ ..] => modes::mode(versions, rest, difference)?,

@@ -39,7 +39,7 @@ impl Index {
 
     /// Whether an object of this index follows from the PDOs and the sync managers.
     pub fn is_derived(self) -> bool {
-        matches!(self.0, 0x1600..=0x17FF | 0x1A00..=0x1C00 | 0x1C10..=0x1C1F)
+        matches!(self.0, 0x1600..=0x1C00 | 0x1C10..=0x1C1F)
     }
 }
 

@@ -19,6 +19,7 @@ mod fact;
 mod field;
 mod front;
 mod homing;
+mod identity;
 pub(crate) mod ids;
 mod index;
 mod kept;
@@ -43,11 +44,13 @@ mod place;
 mod provenance;
 mod register;
 mod repetition;
+mod safety;
 mod said;
 #[cfg(feature = "schema")]
 pub(crate) mod schema;
 mod section;
 pub(crate) mod shorthand;
+mod slot;
 mod state;
 mod symbol;
 pub(crate) mod table;
@@ -76,6 +79,7 @@ pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Writte
 pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
+pub use identity::{CheckedCode, CheckedRevision, Identity};
 pub use index::{Address, Index};
 pub use language::{Language, Translation, Translations};
 pub use lasting::{Effective, Stored};
@@ -90,16 +94,18 @@ pub(crate) use parameter::coordinate;
 pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
 pub(crate) use parts::{model, plain};
 pub use pattern::{Bit, Pattern};
-pub use pdo::{Direction, Mapped, Pdo};
+pub use pdo::{Direction, Mapped, Oversampling, Pdo};
 pub use picture::Picture;
 pub use place::Place;
 pub use provenance::{Provenance, facts, provenance};
 pub use register::{AbortCode, AlStatusCode, Register, RegisterAccess, Telegram};
 pub(crate) use repetition::repetitions;
 pub use repetition::{Repeated, Repetition};
+pub use safety::{Safety, SdoAccess};
 pub use said::Said;
 pub(crate) use section::for_each_section;
 pub use section::{Section, Shape};
+pub use slot::{ModuleClass, Slot};
 pub use state::{
     Answer, Command, CommunicationState, CommunicationTransition, Event, Scope, State, Transition,
 };
@@ -175,6 +181,8 @@ model! {
         pub arrangement: Arrangement,
         /// What is in the slots of axes, by number; none if the ESI has all axes in one dictionary.
         pub modules: Vec<Module>,
+        /// Places for modules that are described elsewhere.
+        pub slots: Vec<Slot>,
         /// What each axis has: objects and PDOs, by the index on the first axis.
         pub repetitions: Vec<Repetition>,
         /// Titles of ranges of the dictionary, by index.
@@ -269,22 +277,6 @@ model! {
 }
 
 table! {
-    /// `[identity]`: what the identity object 0x1018 and the EEPROM say.
-    pub struct Identity {
-        /// The vendor id that the ETG assigned.
-        pub vendor_id: u32,
-        /// The product code.
-        pub product_code: u32,
-        /// The revision number.
-        pub revision: u32,
-        /// The serial number of a device that has none of its own; 0 if absent.
-        #[serde(default)]
-        pub serial: u32,
-        /// The revisions that it takes the place of, so that tools no longer offer them.
-        #[serde(default)]
-        pub replaces: Vec<u32>,
-    }
-
     /// `[family]`: what the members of a family have in common.
     pub struct Shared {
         /// The name of the family.

@@ -59,7 +59,7 @@ impl Slots<'_> {
 
 impl Device {
     /// The slots, if the device is modular.
-    pub fn slots(&self) -> Slots<'_> {
+    pub fn slots_of_axes(&self) -> Slots<'_> {
         Slots {
             axes: &self.axes,
             shifts: &self.arrangement.shifts,

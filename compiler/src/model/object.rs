@@ -2,7 +2,8 @@
 
 use super::table::part;
 use super::{
-    Address, DataType, Direction, Effective, Index, Meanings, Source, Stored, Translations, Value, model,
+    Address, DataType, Direction, Effective, Index, Meanings, Safety, SdoAccess, Source, Stored,
+    Translations, Value, model,
 };
 use crate::source::Origin;
 
@@ -35,6 +36,8 @@ model! {
         pub parameter: Option<String>,
         /// What the vendor's tools are told of it.
         pub properties: Vec<Property>,
+        /// How its entries are to be transferred, if it is not left to the master.
+        pub sdo_access: Option<SdoAccess>,
         /// The entries by subindex; subindex 0 is always there.
         pub entries: Vec<Entry>,
         /// Whether it follows from the PDOs and the sync managers.
@@ -62,6 +65,8 @@ model! {
         pub access: Access,
         /// The process data it can be mapped to.
         pub pdo: Mappable,
+        /// What it is to the safety of a machine, if it is anything.
+        pub safety: Option<Safety>,
         /// Whether a profile demands it.
         pub category: Category,
         /// The unit of its value, by id.

@@ -1,5 +1,8 @@
 //! Process data objects.
 
+use std::ops::RangeInclusive;
+
+use super::table::part;
 use super::{Address, DataType, Index, Source, Translations, model};
 use crate::source::{Location, Origin};
 
@@ -36,6 +39,10 @@ model! {
         pub max_entries: Option<u8>,
         /// The sync unit it belongs to.
         pub sync_unit: Option<String>,
+        /// Whether it is there for a master's own programs only, and the device knows nothing of it.
+        pub r#virtual: bool,
+        /// How often its values can be there in a cycle, if they can be several times.
+        pub oversampling: Option<Oversampling>,
         /// What it is for.
         pub about: Option<String>,
         /// Where its facts are from.
@@ -61,6 +68,10 @@ model! {
         pub bits: u32,
         /// The type; none for padding, and for what is not in the dictionary and is not said to have one.
         pub data_type: Option<DataType>,
+        /// The type that the PDO says it has, where that is not its object's.
+        pub own_type: Option<DataType>,
+        /// What it is for in this PDO.
+        pub about: Option<String>,
         /// Where it was written.
         #[cfg_attr(feature = "json", serde(skip))]
         pub at: Location,
@@ -74,6 +85,38 @@ model! {
         Rx,
         /// The device: a transmit PDO, an input.
         Tx,
+    }
+}
+
+part! {
+    /// How often the values of a PDO can be there in a cycle.
+    #[derive(Copy, Eq)]
+    pub struct Oversampling {
+        /// How often they are if nothing is chosen.
+        pub factor: u16,
+        /// How often at least.
+        pub min: Option<u16>,
+        /// How often at most.
+        pub max: Option<u16>,
+        /// How far the indices of what is there several times are apart.
+        pub step: Option<u16>,
+    }
+}
+
+impl Direction {
+    /// The indices that ETG.1000.6 has for its PDOs.
+    pub fn indices(self) -> RangeInclusive<u16> {
+        match self {
+            Self::Rx => 0x1600..=0x17FF,
+            Self::Tx => 0x1A00..=0x1BFF,
+        }
+    }
+}
+
+impl Mapped {
+    /// The type that masters are told: the PDO's own, else that of the object.
+    pub fn told_type(&self) -> Option<DataType> {
+        self.own_type.or(self.data_type)
     }
 }
 

@@ -14,6 +14,7 @@ macro_rules! for_each_section {
             Documents documents "documents" Words Document,
             Axes axes "axes" Single RawAxes,
             Modules modules "modules" Indices Module,
+            Slots slots "slots" Words Slot,
             Areas areas "areas" Indices Area,
             Objects objects "objects" Indices RawObject,
             Enumerations enumerations "enumerations" Words Enumeration,

@@ -27,6 +27,8 @@ model! {
         pub enable: bool,
         /// Whether it is on in Operational only.
         pub op_only: bool,
+        /// Whether it is there for configuration tools only, and no sync manager of the controller stands behind it.
+        pub r#virtual: bool,
         /// The PDOs assigned at start-up, by index.
         pub pdos: Vec<Index>,
         /// How many PDOs can be assigned at once.
@@ -73,6 +75,14 @@ table! {
         /// Whether transfers longer than the mailbox are possible.
         #[serde(default)]
         pub segmented: bool,
+        /// Whether the device tells by upload what its PDOs map, and a master is to ask.
+        pub pdo_upload: Option<bool>,
+        /// Whether the device routes ADS messages, with AoE.
+        pub aoe_router: Option<bool>,
+        /// Whether the device makes its own net id, with AoE.
+        pub aoe_generates_net_id: Option<bool>,
+        /// Whether a master sets the net id of the device, with AoE.
+        pub aoe_initialize_net_id: Option<bool>,
         /// Whether a master can set the IP address of the device, with EoE.
         pub eoe_ip: Option<bool>,
         /// Whether a master can set the MAC address of the device, with EoE.
@@ -98,6 +108,9 @@ part! {
     /// A protocol of the mailbox.
     #[derive(Copy, Eq)]
     pub enum Protocol {
+        /// ADS, Beckhoff's protocol between automation devices.
+        #[serde(rename = "AoE")]
+        Aoe,
         /// CANopen: the object dictionary.
         #[serde(rename = "CoE")]
         Coe,
@@ -124,6 +137,7 @@ impl Protocol {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Aoe => "AoE",
             Self::Coe => "CoE",
             Self::Eoe => "EoE",
             Self::Foe => "FoE",

@@ -6,8 +6,8 @@ use serde::Deserialize;
 
 use super::values::RawValues;
 use crate::model::{
-    Access, Category, Effective, Index, Kind, Literal, Mappable, Property, Source, Stored, Translations,
-    WriteWindow,
+    Access, Category, Effective, Index, Kind, Literal, Mappable, Property, Safety, SdoAccess, Source, Stored,
+    Translations, WriteWindow,
 };
 use crate::source::Origin;
 
@@ -50,7 +50,7 @@ pub struct RawEntries {
 }
 
 /// `[objects.<index>]`: an object of the dictionary. The keys `name` and from `type` to `parameter` say what its value
-/// is; the tables in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `category`, `unit`, `default`, `min`,
+/// is; the tables in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `safety`, `category`, `unit`, `default`, `min`,
 /// `max`, `values`, `written`, `backup`, `setting`, `effective`, `stored`, `functional` and `trigger` hold for all entries that do not
 /// say otherwise, but for subindex 0.
 #[derive(Debug, Default, Deserialize)]
@@ -65,6 +65,8 @@ pub struct RawObjectHead {
     /// `max` `{}`, `{+8}` or `{-1:02}` is a number; none for a single value.
     #[serde(default)]
     pub entries: BTreeMap<String, Ignored>,
+    /// How its entries are to be transferred, `"complete"` or `"single"`; left to the master if absent.
+    pub sdo_access: Option<SdoAccess>,
     /// What differs on some axes, by axis name, `"Y"`, or by a range of them, `"Y..=W"`.
     #[serde(default)]
     pub per_axis: BTreeMap<String, Ignored>,
@@ -99,6 +101,9 @@ pub struct RawEntry {
     /// The process data it can be mapped to: `"rx"`, `"tx"`, `"rx-tx"` or `"none"`. Where the description does not say it
     /// and no mapping can be changed, it is what the PDOs carry.
     pub pdo: Option<Mappable>,
+    /// What it is to the safety of a machine: `"inputs"`, `"outputs"`, `"inputs-outputs"` or `"parameters"`; nothing if
+    /// absent.
+    pub safety: Option<Safety>,
     /// Whether the profile demands it: `"mandatory"`, `"optional"` or `"conditional"`.
     pub category: Option<Category>,
     /// The unit of its value, one of `[units]`.

@@ -4,8 +4,8 @@ use serde::Deserialize;
 use serde::de::Deserializer;
 
 use super::raw;
-use crate::model::Translations;
 use crate::model::shorthand::shorthand;
+use crate::model::{Oversampling, Translations};
 
 raw! {
     /// `[rx-pdos.<index>]`, `[tx-pdos.<index>]`: a process data object.
@@ -40,6 +40,12 @@ raw! {
         pub max_entries: Option<u8>,
         /// The sync unit it belongs to: PDOs of different ones are exchanged apart from each other.
         pub sync_unit: Option<String>,
+        /// Whether it is there for a master's own programs only, and the device knows nothing of it.
+        #[serde(default)]
+        pub r#virtual: bool,
+        /// How often its values can be there in a cycle, if they can be several times: `{ factor = 10, min = 1, max = 100,
+        /// step = 8 }`, with the step of the indices of what is there several times.
+        pub oversampling: Option<Oversampling>,
         /// What it is for.
         pub about: Option<String>,
     }
@@ -54,12 +60,15 @@ pub struct RawMapped {
     pub entry: Option<String>,
     /// The width that the manual gives, needed for padding and for what is not in the dictionary, unless it has a `type`.
     pub bits: Option<u16>,
-    /// The data type of what is not in the dictionary.
+    /// The data type of what is not in the dictionary; of what is there one of the same width, which masters are told in
+    /// its place.
     pub r#type: Option<String>,
     /// A name other than the entry's.
     pub name: Option<String>,
     /// The name in other languages, by language, where it is not the entry's.
     pub names: Translations,
+    /// What it is for in this PDO.
+    pub about: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -71,14 +80,15 @@ struct MappedTable {
     name: Option<String>,
     #[serde(default)]
     names: Translations,
+    about: Option<String>,
 }
 
 impl<'de> Deserialize<'de> for RawMapped {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let expecting =
-            "the name or index of an entry, or a table with `entry`, `bits`, `type`, `name` and `names`";
-        let MappedTable { entry, bits, r#type, name, names } = shorthand(deserializer, "entry", expecting)?;
-        Ok(Self { entry, bits, r#type, name, names })
+        let expecting = "the name or index of an entry, or a table with `entry`, `bits`, `type`, `name`, `names` and `about`";
+        let MappedTable { entry, bits, r#type, name, names, about } =
+            shorthand(deserializer, "entry", expecting)?;
+        Ok(Self { entry, bits, r#type, name, names, about })
     }
 }
 
@@ -106,6 +116,9 @@ raw! {
         /// Whether it is on in Operational only.
         #[serde(default)]
         pub op_only: bool,
+        /// Whether it is there for configuration tools only, and no sync manager of the controller stands behind it.
+        #[serde(default)]
+        pub r#virtual: bool,
         /// The PDOs assigned at start-up.
         #[serde(default)]
         pub pdos: Vec<String>,

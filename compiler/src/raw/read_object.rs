@@ -13,6 +13,7 @@ pub(crate) const SHARED: &[&str] = &[
     "type",
     "access",
     "pdo",
+    "safety",
     "category",
     "unit",
     "default",

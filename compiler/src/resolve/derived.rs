@@ -69,6 +69,7 @@ fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &
         functional: true,
         parameter: None,
         properties: Vec::new(),
+        sdo_access: None,
         entries,
         derived: true,
         source: None,

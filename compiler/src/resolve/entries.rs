@@ -119,6 +119,7 @@ pub(super) fn plain(address: Address, name: &str, data_type: DataType, origin: &
         data_type,
         access: Access::Ro,
         pdo: Mappable::None,
+        safety: None,
         category: Category::Mandatory,
         unit: None,
         default: None,
@@ -160,7 +161,7 @@ pub(super) fn entry(
 ) -> Option<Entry> {
     #[rustfmt::skip] // a line for what belongs together
     let RawEntry {
-        name: _, names, r#type, access, pdo, category, unit,
+        name: _, names, r#type, access, pdo, safety, category, unit,
         default, min, max, values,
         written, backup, setting, effective, stored,
         about, note, functional, trigger, parameter, properties,
@@ -181,6 +182,7 @@ pub(super) fn entry(
         data_type,
         access: access.unwrap_or_default(),
         pdo: pdo.unwrap_or_default(),
+        safety: *safety,
         category: category.unwrap_or_default(),
         unit: unit.clone(),
         default,

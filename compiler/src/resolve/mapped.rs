@@ -68,6 +68,8 @@ fn one(
         offset: 0,
         bits: raw.bits.unwrap_or(0).into(),
         data_type: None,
+        own_type: None,
+        about: raw.about.clone(),
         at,
     };
     let Some(text) = &raw.entry else {
@@ -84,10 +86,11 @@ fn one(
         }
         return None;
     }
-    let data_type = stated(context, raw, entry.is_some(), at);
+    let known = entry.map(|(_, entry)| entry.data_type);
+    let data_type = stated(context, raw, known, at);
     let bits = raw.bits.map(u32::from).or(data_type.map(DataType::bits));
     match (entry, absent(context, text, axis), bits) {
-        (Some(known), ..) => Some(Mapped { address, ..of_entry(raw, known, padding) }),
+        (Some(known), ..) => Some(Mapped { address, own_type: data_type, ..of_entry(raw, known, padding) }),
         (None, Some(address), Some(bits)) => {
             let name = raw.name.clone().unwrap_or_else(|| address.to_string());
             Some(Mapped { address: Some(address), id: ids::id(&name), name, bits, data_type, ..padding })
@@ -120,14 +123,20 @@ fn of_entry(raw: &RawMapped, (object, entry): (&Object, &Entry), bare: Mapped) -
     }
 }
 
-/// The type that is said of what is mapped. What is in the dictionary has one there.
-fn stated(context: &mut Context<'_>, raw: &RawMapped, is_known: bool, at: Location) -> Option<DataType> {
+/// The type that is said of what is mapped. What is in the dictionary has one there, and can only be told as another one
+/// that is as wide.
+fn stated(
+    context: &mut Context<'_>,
+    raw: &RawMapped,
+    known: Option<DataType>,
+    at: Location,
+) -> Option<DataType> {
     let text = raw.r#type.as_deref()?;
-    if is_known {
-        typeless(context, raw, "what is in the dictionary has its type there", at);
-        return None;
-    }
     match text.parse() {
+        Ok(data_type) if known.is_some_and(|known| known.bits() != DataType::bits(data_type)) => {
+            typeless(context, raw, "what is in the dictionary has another width there", at);
+            None
+        }
         Ok(data_type) if DataType::bits(data_type) > 0 => Some(data_type),
         _ => {
             // The place is that of the whole entry, which no fix may take the place of.
@@ -175,7 +184,7 @@ fn span<'r>(
             let entry = Some(format!("{object}:{subindex:02X}"));
             let name = raw.name.as_ref().map(|name| numbered::name(name, subindex));
             let names = numbered::names(&raw.names, subindex);
-            Cow::Owned(RawMapped { entry, name, names, bits: raw.bits, r#type: raw.r#type.clone() })
+            Cow::Owned(RawMapped { entry, name, names, ..raw.clone() })
         })
     });
     let alone = each.is_none().then_some(Cow::Borrowed(raw));

@@ -92,7 +92,7 @@ pub(super) fn object(
     axis: Option<u8>,
 ) -> Option<Object> {
     let RawObject { key, index: _, head, value, entries, shared: _, per_axis: _, source, origin } = raw;
-    let RawObjectHead { id: _, kind, entries: _, per_axis: _ } = head;
+    let RawObjectHead { id: _, kind, entries: _, sdo_access, per_axis: _ } = head;
     let id = names::object_id(raw);
     let name = value.name.clone().unwrap_or_else(|| id.clone());
     let is_single = entries.is_empty() && kind.is_none_or(|kind| kind == Kind::Var);
@@ -114,6 +114,7 @@ pub(super) fn object(
         functional: value.functional.unwrap_or(true),
         parameter: whole(value.parameter.as_ref()).or_else(|| coordinate(context, key)),
         properties: value.properties.clone(),
+        sdo_access: *sdo_access,
         entries,
         derived: false,
         source: source.clone(),

@@ -11,7 +11,7 @@ use crate::source::Location;
 /// about that is compared, or answered here.
 pub(super) fn apply(context: &mut Context<'_>, object: &mut Object, raw: RawObject) {
     let RawObject { key: _, index: _, head, value, entries, shared, per_axis, source, origin } = raw;
-    let RawObjectHead { id, kind, entries: _, per_axis: _ } = head;
+    let RawObjectHead { id, kind, entries: _, sdo_access, per_axis: _ } = head;
     if kind.is_some_and(|kind| kind != object.kind) {
         follows(context, object, "what it is made of", origin.value("kind"));
     }
@@ -36,6 +36,7 @@ pub(super) fn apply(context: &mut Context<'_>, object: &mut Object, raw: RawObje
     object.functional = value.functional.unwrap_or(true);
     object.parameter = value.parameter;
     object.properties = value.properties;
+    object.sdo_access = sdo_access;
     object.source = source.or(object.source.take());
     object.origin = origin;
 }

@@ -17,7 +17,7 @@ fn pdos(context: &mut Context<'_>, raw: &[RawPdo], direction: Direction, objects
     let mut pdos = Vec::new();
     for entity in raw {
         let at = entity.origin.header();
-        let Some(index) = names::index(&entity.key).filter(|index| in_range(*index, direction)) else {
+        let Some(index) = names::index(&entity.key).filter(|index| PDOS.contains(&index.0)) else {
             context.invalid(&entity.key, expected(direction), at);
             continue;
         };
@@ -30,7 +30,6 @@ fn pdos(context: &mut Context<'_>, raw: &[RawPdo], direction: Direction, objects
         }
     }
     pdos.sort_by_key(|pdo| pdo.index);
-    report_duplicates(context, &pdos);
     pdos
 }
 
@@ -42,26 +41,19 @@ pub(super) fn of_both_ways(
 ) -> Vec<Pdo> {
     let mut all = pdos(context, received, Direction::Rx, objects);
     all.extend(pdos(context, sent, Direction::Tx, objects));
+    report_duplicates(context, &all);
     all
 }
 
-fn in_range(index: Index, direction: Direction) -> bool {
-    range(direction).contains(&index.0)
-}
-
-/// The indices of the PDOs of a direction, ETG.1000.6.
-fn range(direction: Direction) -> RangeInclusive<u16> {
-    match direction {
-        Direction::Rx => 0x1600..=0x17FF,
-        Direction::Tx => 0x1A00..=0x1BFF,
-    }
-}
+/// Where mapping objects can lie. Which part of it is for which direction is for a rule to say.
+const PDOS: RangeInclusive<u16> = 0x1600..=0x1BFF;
 
 /// Why the last axis can have no copy of a PDO, if it cannot.
 fn beyond(context: &Context<'_>, entity: &RawPdo, index: Index, direction: Direction) -> Option<Diagnostic> {
     let others = context.axes.last().filter(|_| entity.per_axis)?.number;
     let last = u32::from(index.0) + u32::from(context.pdo_shift) * u32::from(others);
-    let end = *range(direction).end();
+    let own = direction.indices();
+    let end = if own.contains(&index.0) { *own.end() } else { *PDOS.end() };
     (last > u32::from(end)).then(|| {
         let message = format!("PDO {index} would be 0x{last:X} on the last axis");
         let label = format!("PDOs of this direction end at {}", Index(end));
@@ -97,14 +89,12 @@ pub(super) fn named<'p>(pdos: &'p [Pdo], text: &str) -> Vec<&'p Pdo> {
 }
 
 fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
-    for pair in pdos.windows(2) {
-        if let [first, second] = pair
-            && first.index == second.index
-        {
-            let message = format!("there are two PDOs {}", second.index);
-            let fault = Diagnostic::new(&faults::DUPLICATE_INDEX, message, second.origin.header(), "here");
-            context.diagnostics.push(fault.label(first.origin.header(), "and here"));
-        }
+    let mut known: BTreeMap<Index, &Pdo> = BTreeMap::new();
+    for pdo in pdos {
+        let Some(first) = known.insert(pdo.index, pdo) else { continue };
+        let message = format!("there are two PDOs {}", pdo.index);
+        let fault = Diagnostic::new(&faults::DUPLICATE_INDEX, message, pdo.origin.header(), "here");
+        context.diagnostics.push(fault.label(first.origin.header(), "and here"));
     }
 }
 
@@ -130,6 +120,8 @@ fn pdo(
         max_bytes,
         max_entries,
         sync_unit,
+        r#virtual,
+        oversampling,
         about,
         source,
         origin,
@@ -151,6 +143,8 @@ fn pdo(
         max_bytes: *max_bytes,
         max_entries: *max_entries,
         sync_unit: sync_unit.clone(),
+        r#virtual: *r#virtual,
+        oversampling: *oversampling,
         about: about.clone(),
         source: source.clone(),
         origin: origin.clone(),

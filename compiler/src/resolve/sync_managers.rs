@@ -82,6 +82,7 @@ fn sync_manager(
         control: entity.control.unwrap_or(role.usual_control()),
         enable: entity.enable.unwrap_or(size > 0),
         op_only: entity.op_only,
+        r#virtual: entity.r#virtual,
         slots: entity.slots.unwrap_or_else(|| u8::try_from(assigned.len()).unwrap_or(u8::MAX)),
         pdos: assigned,
         source: entity.source,

@@ -47,6 +47,7 @@ fn protocols(device: &Device) -> u16 {
     let spoken = device.mailbox.iter().flat_map(|mailbox| &mailbox.protocols);
     spoken.fold(0, |bits, protocol| {
         bits | match protocol {
+            Protocol::Aoe => 0x01,
             Protocol::Eoe => 0x02,
             Protocol::Coe => 0x04,
             Protocol::Foe => 0x08,

@@ -61,6 +61,6 @@ fn row(mapped: &Mapped, bits: u8, strings: &mut Strings) -> [u8; 8] {
 
 /// The number of its type; that of a type of the mapped width if it is mapped in another than its own.
 fn code(mapped: &Mapped) -> u16 {
-    let own = mapped.data_type.filter(|data_type| data_type.bits() == mapped.bits);
+    let own = mapped.told_type().filter(|data_type| data_type.bits() == mapped.bits);
     own.or_else(|| DataType::of_width(mapped.bits)).map_or(0, DataType::code)
 }

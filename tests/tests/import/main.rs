@@ -16,5 +16,6 @@ mod objects;
 mod round_trip;
 mod sdos;
 mod sheets;
+mod special;
 mod texts;
 mod transport;

@@ -75,6 +75,7 @@ fn modules_of_slots_are_axes() {
     let imported = imported(&two_axes());
     let text = description(&imported);
     assert!(text.contains("names  = [\"Left\", \"Right\"]"), "{text}");
+    assert!(text.contains("[modules.0x00000100]"), "{text}");
     let device = compiled(&imported);
     let indices: Vec<u16> = device.pdos.iter().map(|pdo| pdo.index.0).collect();
     assert_eq!(indices, [0x1600, 0x1610, 0x1A00, 0x1A10], "{text}");
@@ -85,11 +86,15 @@ fn modules_of_slots_are_axes() {
 }
 
 #[test]
-fn slots_that_are_open_are_a_loss() {
+fn slots_that_are_open_are_no_axes() {
     let open = two_axes().replace(" Default=\"1\"", "");
     let imported = imported(&open);
-    assert_eq!(lost(&imported), ["Device/Slots"]);
-    assert!(!description(&imported).contains("0x6040"));
+    assert_eq!(lost(&imported), Vec::<&str>::new());
+    let text = description(&imported);
+    assert!(!text.contains("0x6040"), "{text}");
+    for said in ["[slots.left]", "[slots.right]", "modules    = [0x00000100, 0x00000200]"] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
 }
 
 /// TwinCAT offers choices of PDOs by name; what else is for it alone is lost.

@@ -5,7 +5,7 @@ use devc::import::{Choice, NoteKind, import};
 use super::round_trip::{Trip, trip};
 
 /// A file with the parts of one device around its dictionary.
-fn file(before: &str, objects: &str, after: &str) -> String {
+pub(super) fn file(before: &str, objects: &str, after: &str) -> String {
     let uint =
         |name: &str, bits: u32| format!("<DataType><Name>{name}</Name><BitSize>{bits}</BitSize></DataType>");
     let types =
@@ -27,20 +27,20 @@ const RECORD: &str = "<DataType><Name>DTM</Name><BitSize>144</BitSize>\
     <SubItem><SubIdx>2</SubIdx><Name>SubIndex 002</Name><Type>UDINT</Type><BitSize>32</BitSize><BitOffs>48</BitOffs>\
     <Flags><Access>ro</Access><Category>o</Category><Setting>1</Setting></Flags></SubItem></DataType>";
 
-fn value(index: &str, kind: &str, bits: u32, flags: &str) -> String {
+pub(super) fn value(index: &str, kind: &str, bits: u32, flags: &str) -> String {
     format!(
         "<Object><Index>{index}</Index><Name>Value {index}</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>\
          <Flags><Access>rw</Access>{flags}</Flags></Object>\n"
     )
 }
 
-fn text(trip: &Trip) -> String {
+pub(super) fn text(trip: &Trip) -> String {
     trip.imported.files.values().map(String::as_str).collect()
 }
 
 /// Nothing changed on the way, and nothing is lost.
 #[track_caller]
-fn whole(xml: &str) -> Trip {
+pub(super) fn whole(xml: &str) -> Trip {
     let trip = trip(xml.as_bytes(), 1).expect("a round trip");
     assert_eq!(trip.changed, [], "{}", text(&trip));
     let lost = trip.imported.report.notes.iter().filter(|note| note.kind == NoteKind::Lost);

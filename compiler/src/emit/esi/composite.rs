@@ -83,6 +83,7 @@ fn alike(entries: &[Entry]) -> bool {
             one.data_type == other.data_type
                 && one.access == other.access
                 && one.pdo == other.pdo
+                && one.safety == other.safety
                 && one.category == other.category
                 && one.written == other.written
                 && (one.backup, one.setting) == (other.backup, other.setting)

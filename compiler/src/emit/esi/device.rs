@@ -4,7 +4,7 @@ use super::element::Element;
 use super::frame::Frame;
 use super::literal::{Bytes, Hex, prose};
 use super::{dc, eeprom, info, mailbox, pdo, profile, slots, sync_managers};
-use crate::model::{Device, Direction};
+use crate::model::{CheckedCode, CheckedRevision, Device, Direction};
 
 /// A device.
 pub(super) fn device(device: &Device) -> Element {
@@ -33,6 +33,8 @@ fn type_and_identity(device: &Device) -> Element {
     Element::leaf("Type", &device.type_name)
         .with("ProductCode", Hex(device.identity.product_code))
         .with("RevisionNo", Hex(device.identity.revision))
+        .with_some("CheckProductCode", device.identity.check_product_code.map(CheckedCode::name))
+        .with_some("CheckRevisionNo", device.identity.check_revision.map(CheckedRevision::name))
 }
 
 /// A revision that tools no longer offer.

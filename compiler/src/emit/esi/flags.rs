@@ -1,11 +1,13 @@
 //! `Flags`: who may read, write and map a value.
 
 use super::element::Element;
-use crate::model::{Access, Category, Entry, Kind, Mappable, Object, WriteWindow};
+use crate::model::{Access, Category, Entry, Kind, Mappable, Object, Safety, SdoAccess, WriteWindow};
 
 /// The flags of an entry. A `SubItem` gets them all, since they hide those of its object as a whole.
 pub(super) fn of_entry(entry: &Entry) -> Element {
-    flags(access(entry), entry.category, entry.pdo, Kept { backup: entry.backup, setting: entry.setting })
+    let special =
+        Special { safety: entry.safety, sdo_access: None, backup: entry.backup, setting: entry.setting };
+    flags(access(entry), entry.category, entry.pdo, special)
 }
 
 /// The flags of an object: those of its value, or for an object of several what holds for any of them.
@@ -18,18 +20,25 @@ pub(super) fn of_object(object: &Object) -> Element {
     let access = first.map_or_else(|| Element::leaf("Access", word(readable, writable)), access);
     let rx = values().any(|entry| entry.pdo.rx());
     let tx = values().any(|entry| entry.pdo.tx());
-    let kept =
-        Kept { backup: values().any(|entry| entry.backup), setting: values().any(|entry| entry.setting) };
-    flags(access, object.category, Mappable::of(rx, tx), kept)
+    let safety = values().next().and_then(|first| first.safety);
+    let special = Special {
+        safety: safety.filter(|safety| values().all(|entry| entry.safety == Some(*safety))),
+        sdo_access: object.sdo_access,
+        backup: values().any(|entry| entry.backup),
+        setting: values().any(|entry| entry.setting),
+    };
+    flags(access, object.category, Mappable::of(rx, tx), special)
 }
 
-/// What a tool keeps of a device.
-struct Kept {
+/// What few values are: of weight to safety, transferred in one way only, kept by tools.
+struct Special {
+    safety: Option<Safety>,
+    sdo_access: Option<SdoAccess>,
     backup: bool,
     setting: bool,
 }
 
-fn flags(access: Element, category: Category, pdo: Mappable, kept: Kept) -> Element {
+fn flags(access: Element, category: Category, pdo: Mappable, special: Special) -> Element {
     let category = match category {
         Category::Mandatory => "m",
         Category::Optional => "o",
@@ -45,8 +54,17 @@ fn flags(access: Element, category: Category, pdo: Mappable, kept: Kept) -> Elem
         .child(access)
         .child(Element::leaf("Category", category))
         .child(mapping.map(|directions| Element::leaf("PdoMapping", directions)))
-        .child(kept.backup.then(|| Element::leaf("Backup", 1)))
-        .child(kept.setting.then(|| Element::leaf("Setting", 1)))
+        .child(special.safety.map(|safety| Element::leaf("SafetyMapping", safety.name())))
+        .child(special.sdo_access.map(|access| Element::leaf("SdoAccess", sdo_access(access))))
+        .child(special.backup.then(|| Element::leaf("Backup", 1)))
+        .child(special.setting.then(|| Element::leaf("Setting", 1)))
+}
+
+fn sdo_access(access: SdoAccess) -> &'static str {
+    match access {
+        SdoAccess::Complete => "CompleteAccess",
+        SdoAccess::Single => "SubIndexAccess",
+    }
 }
 
 fn access(entry: &Entry) -> Element {

@@ -10,18 +10,30 @@ const DIAGNOSIS_HISTORY: Index = Index(0x10F3);
 /// The mailbox, if the device has one. The protocols stand in the order that the schema demands.
 pub(super) fn mailbox(device: &Device) -> Option<Element> {
     let mailbox = device.mailbox.as_ref()?;
-    let order = [Protocol::Eoe, Protocol::Coe, Protocol::Foe, Protocol::Soe, Protocol::Voe].into_iter();
+    let order = [Protocol::Aoe, Protocol::Eoe, Protocol::Coe, Protocol::Foe, Protocol::Soe, Protocol::Voe]
+        .into_iter();
     let spoken = order.filter(|protocol| mailbox.protocols.contains(protocol));
     let elements = spoken.map(|protocol| match protocol {
         Protocol::Coe => coe(device, mailbox),
+        Protocol::Aoe => aoe(mailbox),
         Protocol::Eoe => eoe(mailbox),
         other => Element::new(other.name()),
     });
     Some(Element::new("Mailbox").with_flag("DataLinkLayer", true).children(elements))
 }
 
+fn flag(value: Option<bool>) -> Option<u8> {
+    value.map(u8::from)
+}
+
+fn aoe(mailbox: &Mailbox) -> Element {
+    Element::new("AoE")
+        .with_some("AdsRouter", flag(mailbox.aoe_router))
+        .with_some("GenerateOwnNetId", flag(mailbox.aoe_generates_net_id))
+        .with_some("InitializeOwnNetId", flag(mailbox.aoe_initialize_net_id))
+}
+
 fn eoe(mailbox: &Mailbox) -> Element {
-    let flag = |value: Option<bool>| value.map(u8::from);
     Element::new("EoE").with_some("IP", flag(mailbox.eoe_ip)).with_some("MAC", flag(mailbox.eoe_mac))
 }
 
@@ -49,6 +61,7 @@ fn coe(device: &Device, mailbox: &Mailbox) -> Element {
         .with_flag("PdoConfig", mailbox.pdo_config)
         .with_flag("CompleteAccess", mailbox.complete_access)
         .with_flag("SegmentedSdo", mailbox.segmented)
+        .with_some("PdoUpload", flag(mailbox.pdo_upload))
         .with_some("DiagHistory", device.object(DIAGNOSIS_HISTORY).map(|_| "1"))
         .children(init_commands(device))
 }

@@ -3,7 +3,7 @@
 use super::element::Element;
 use super::frame::Frame;
 use super::{names, primitive};
-use crate::model::{Device, Direction, Index, Mapped, Pdo, Role};
+use crate::model::{Device, Direction, Index, Mapped, Oversampling, Pdo, Role};
 
 /// The PDOs of a direction.
 pub(super) fn in_order(frame: Frame<'_>, direction: Direction) -> Vec<Element> {
@@ -18,11 +18,17 @@ fn pdo(frame: Frame<'_>, pdo: &Pdo) -> Element {
         Direction::Rx => "RxPdo",
         Direction::Tx => "TxPdo",
     };
+    let oversampling = |of: fn(Oversampling) -> Option<u16>| pdo.oversampling.and_then(of);
     Element::new(tag)
         .with_some("Fixed", pdo.fixed.then_some("1"))
         .with_some("Mandatory", pdo.mandatory.then_some("1"))
         .with_some("Sm", device.manager_of(pdo).map(|manager| manager.number))
         .with_some("Su", sync_unit(device, pdo))
+        .with_some("Virtual", pdo.r#virtual.then_some("1"))
+        .with_some("OSFac", oversampling(|it| Some(it.factor)))
+        .with_some("OSMin", oversampling(|it| it.min))
+        .with_some("OSMax", oversampling(|it| it.max))
+        .with_some("OSIndexInc", oversampling(|it| it.step))
         .child(frame.pdo("Index", pdo.index))
         .children(names::named(frame, &pdo.name, &pdo.names, pdo.axis))
         .children(excludes(device, pdo).into_iter().map(|other| frame.pdo("Exclude", other)))
@@ -53,13 +59,14 @@ fn excludes(device: &Device, pdo: &Pdo) -> Vec<Index> {
 fn entry(frame: Frame<'_>, pdo: &Pdo, mapped: &Mapped) -> Element {
     let Some(address) = mapped.address else { return padding(mapped.bits) };
     // The type of another width than the one mapped would move all that follows in tools that go by types.
-    let data_type = mapped.data_type.filter(|data_type| data_type.bits() == mapped.bits);
+    let data_type = mapped.told_type().filter(|data_type| data_type.bits() == mapped.bits);
     let data_type = data_type.map_or_else(|| primitive::of_width(mapped.bits), primitive::name);
     Element::new("Entry")
         .child(frame.object(address.index))
         .child(Element::leaf("SubIndex", address.subindex))
         .child(Element::leaf("BitLen", mapped.bits))
         .children(names::mapped(frame, pdo, mapped))
+        .child(mapped.about.as_ref().map(|about| Element::leaf("Comment", about)))
         .child(Element::leaf("DataType", data_type))
 }
 

@@ -6,17 +6,41 @@ use super::element::Element;
 use super::frame::Frame;
 use super::literal::Hex;
 use super::{pdo, profile};
-use crate::model::{Axis, Device, Direction, Family, Module};
+use crate::model::{Axis, Device, Direction, Family, Module, ModuleClass, Slot};
 
 /// A slot for each axis, which always holds its module; none if the device has no modules.
 pub(super) fn slots(device: &Device) -> Option<Element> {
-    let step = device.arrangement.shifts.first()?.by;
-    let slots = device.axes.iter().flat_map(|axis| slot(device, axis));
+    let of_axes: Vec<Element> = device.axes.iter().filter_map(|axis| slot(device, axis)).collect();
+    let shift = device.arrangement.shifts.first().filter(|_| !of_axes.is_empty());
+    let first = device.slots.first().map(|slot| (slot.pdo_step, slot.index_step));
+    let steps = shift.map(|shift| (device.arrangement.pdo_shift, shift.by)).or(first)?;
+    let open = device.slots.iter().map(|slot| open(slot, steps));
     Element::new("Slots")
-        .with("SlotPdoIncrement", device.arrangement.pdo_shift)
-        .with("SlotIndexIncrement", Hex(step))
-        .children(slots)
+        .with("SlotPdoIncrement", steps.0)
+        .with("SlotIndexIncrement", Hex(steps.1))
+        .children(of_axes)
+        .children(open)
         .unless_empty()
+}
+
+/// A slot that modules can be put into; what it has otherwise than the others, it says itself.
+fn open(slot: &Slot, (pdos, objects): (u16, u16)) -> Element {
+    let class = |class: &ModuleClass| {
+        let name = class.name.iter().flat_map(|name| Element::in_languages("Name", name, &class.names));
+        Element::new("ModuleClass").child(Element::leaf("Class", &class.class)).children(name)
+    };
+    let module = |ident: &u32| {
+        let is_default = slot.default == Some(*ident);
+        Element::leaf("ModuleIdent", Hex(*ident)).with_some("Default", is_default.then_some("1"))
+    };
+    Element::new("Slot")
+        .with("MinInstances", slot.min)
+        .with("MaxInstances", slot.max)
+        .with_some("SlotPdoIncrement", (slot.pdo_step != pdos).then_some(slot.pdo_step))
+        .with_some("SlotIndexIncrement", (slot.index_step != objects).then_some(Hex(slot.index_step)))
+        .children(Element::in_languages("Name", &slot.name, &slot.names))
+        .children(slot.modules.iter().map(module))
+        .children(slot.classes.iter().map(class))
 }
 
 fn slot(device: &Device, axis: &Axis) -> Option<Element> {

@@ -28,6 +28,7 @@ pub(super) fn sync_manager(manager: &SyncManager) -> Element {
         .with("ControlByte", Hex(manager.control))
         .with_flag("Enable", manager.enable)
         .with_some("OpOnly", manager.op_only.then_some("1"))
+        .with_some("Virtual", manager.r#virtual.then_some("1"))
 }
 
 fn name(role: Role) -> &'static str {

@@ -48,7 +48,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
         enumerations: _, image: _, // what they say stands with each entry; the picture is for tools
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
         names, ebus_current, url, urls,
-        axes, arrangement, modules, connectors, leds,
+        axes, arrangement, modules, slots, connectors, leds,
         communication_states, communication_transitions, al_status_codes, abort_codes,
         sync_managers, mailbox, timeouts, sync_modes, cycle_times, dead_time,
         configurations, words,
@@ -74,7 +74,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
     #[rustfmt::skip] // a line for each
     let chapters = [
         ("device", "Device", device::page(context, &head)),
-        ("axes", "Axes", axes::page(context, axes, arrangement, modules)),
+        ("axes", "Axes", axes::page(context, axes, arrangement, (modules, slots))),
         ("connections", "Connections and lights", connections::page(context, connectors, leds)),
         ("communication", "Communication", communication::page(context, &link)),
         ("synchronisation", "Synchronisation", synchronisation::page(context, sync_modes, cycle_times, dead_time)),

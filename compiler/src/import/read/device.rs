@@ -4,6 +4,7 @@ use super::element::{At, Element};
 use super::esi::{Alternative, Device, Eeprom, Head, InitCmd, Mailbox, ModeManager, OpMode, Signal, Timeout};
 use super::number::{bytes, number, truth};
 use super::{diagnosis, dictionary, process_data, words};
+use crate::model::{CheckedCode, CheckedRevision};
 
 pub(super) fn head(device: &Element<'_>) -> Head {
     let kind = device.child("Type");
@@ -50,16 +51,26 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         mailbox: device.child("Mailbox").map(mailbox),
         timeouts: device.child("Info").map(timeouts).unwrap_or_default(),
         replaces: device.all("HideType").filter_map(|it| it.attribute_as("RevisionNo", number)).collect(),
+        check_product_code: checked(device, "CheckProductCode", &CheckedCode::ALL, CheckedCode::name),
+        check_revision: checked(device, "CheckRevisionNo", &CheckedRevision::ALL, CheckedRevision::name),
         sync_units: device.all("Su").map(|it| it.text().to_owned()).collect(),
         op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
         alternatives: alternatives(device),
         eeprom: device.child("Eeprom").map(eeprom),
         slots: Vec::new(),
+        plugged: Vec::new(),
+        open_slots: Vec::new(),
         hides_mapping: false,
         objects,
         messages: profiles.iter().flat_map(|profile| diagnosis::messages(profile)).collect(),
         excess,
     }
+}
+
+/// What a master is to compare.
+fn checked<T: Copy>(device: &Element<'_>, name: &str, all: &[T], word: fn(T) -> &'static str) -> Option<T> {
+    let of = |text: &str| all.iter().copied().find(|it| word(*it) == text);
+    device.child("Type")?.attribute_as(name, of)
 }
 
 fn ebus_current(info: &Element<'_>) -> Option<i32> {
@@ -97,15 +108,21 @@ fn profile_number(profile: &Element<'_>) -> Option<u32> {
 
 fn mailbox(element: &Element<'_>) -> Mailbox {
     element.attribute_as("DataLinkLayer", |text| truth(text).filter(|on| *on));
-    let known = ["CoE", "EoE", "FoE", "SoE", "VoE"];
+    let known = ["AoE", "CoE", "EoE", "FoE", "SoE", "VoE"];
     let protocols = element.children().iter().map(Element::name).filter(|name| known.contains(name));
     let protocols: Vec<String> = protocols.map(str::to_owned).collect();
     protocols.iter().for_each(|name| _ = element.child(name));
     let coe = element.child("CoE");
-    let eoe = |name| element.child("EoE").and_then(|eoe| eoe.attribute_as(name, truth));
-    for name in ["PdoUpload", "SdoUploadWithMaxLength"] {
-        coe.into_iter().for_each(|coe| coe.says_usual(name));
-    }
+    coe.into_iter().for_each(|coe| coe.says_usual("SdoUploadWithMaxLength"));
+    let others = [
+        ("CoE", "PdoUpload", "pdo-upload"),
+        ("AoE", "AdsRouter", "aoe-router"),
+        ("AoE", "GenerateOwnNetId", "aoe-generates-net-id"),
+        ("AoE", "InitializeOwnNetId", "aoe-initialize-net-id"),
+        ("EoE", "IP", "eoe-ip"),
+        ("EoE", "MAC", "eoe-mac"),
+    ];
+    let other = |(protocol, name, key)| Some((key, element.child(protocol)?.attribute_as(name, truth)?));
     let flag = |name| coe.and_then(|coe| coe.attribute_as(name, truth)).unwrap_or(false);
     let commands = coe.into_iter().flat_map(|coe| coe.all("InitCmd")).filter_map(init_cmd).collect();
     Mailbox {
@@ -116,8 +133,7 @@ fn mailbox(element: &Element<'_>) -> Mailbox {
         pdo_config: flag("PdoConfig"),
         complete_access: flag("CompleteAccess"),
         segmented: flag("SegmentedSdo"),
-        eoe_ip: eoe("IP"),
-        eoe_mac: eoe("MAC"),
+        others: others.into_iter().filter_map(other).collect(),
         diagnosis: flag("DiagHistory"),
         commands,
     }

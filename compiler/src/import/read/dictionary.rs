@@ -8,6 +8,7 @@ use super::element::{At, Element};
 use super::esi::{Choice, Datum, Flags, Object, Property, Shape, Value, Written};
 use super::number::{bytes, number, truth};
 use super::words;
+use crate::model::{Safety, SdoAccess};
 
 /// A type as it is declared.
 struct DataType<'e, 't> {
@@ -247,7 +248,21 @@ fn own_flags(element: &Element<'_>) -> Option<Flags> {
             .map(str::to_owned),
         category: word("Category"),
         pdo_mapping: word("PdoMapping"),
+        safety: flags.child_as("SafetyMapping", safety),
+        sdo_access: flags.child_as("SdoAccess", sdo_access),
         backup: flags.child_as("Backup", truth).unwrap_or(false),
         setting: flags.child_as("Setting", truth).unwrap_or(false),
     })
+}
+
+fn safety(text: &str) -> Option<Safety> {
+    Safety::ALL.into_iter().find(|it| it.name().eq_ignore_ascii_case(text))
+}
+
+fn sdo_access(text: &str) -> Option<SdoAccess> {
+    match text {
+        "CompleteAccess" => Some(SdoAccess::Complete),
+        "SubIndexAccess" => Some(SdoAccess::Single),
+        _ => None,
+    }
 }

@@ -1,9 +1,8 @@
 //! What an ESI file says, as plain structs: each thing with its place in the file.
 
-use std::rc::Rc;
-
 use super::element::At;
-use crate::model::Language;
+pub(crate) use super::objects::{Choice, Datum, Flags, Object, Property, Shape, Value, Written};
+use crate::model::{CheckedCode, CheckedRevision, Language, Oversampling};
 
 /// A text in other languages than English.
 pub(crate) type Texts = Vec<(Language, String)>;
@@ -45,6 +44,9 @@ pub(crate) struct Device {
     pub(crate) timeouts: Vec<Timeout>,
     /// The revisions that it takes the place of.
     pub(crate) replaces: Vec<u32>,
+    /// What a master is to compare: the product code and the revision.
+    pub(crate) check_product_code: Option<CheckedCode>,
+    pub(crate) check_revision: Option<CheckedRevision>,
     /// What the sync units are called, in their order.
     pub(crate) sync_units: Vec<String>,
     pub(crate) op_modes: Vec<OpMode>,
@@ -53,6 +55,10 @@ pub(crate) struct Device {
     pub(crate) eeprom: Option<Eeprom>,
     /// What the slots or axes are called, if the file says it.
     pub(crate) slots: Vec<String>,
+    /// The modules that are in the slots, one for each; none if that is open.
+    pub(crate) plugged: Vec<Plug>,
+    /// Slots whose modules are to be chosen.
+    pub(crate) open_slots: Vec<OpenSlot>,
     /// Whether it says of no value if it can be mapped.
     pub(crate) hides_mapping: bool,
     pub(crate) objects: Vec<Object>,
@@ -68,6 +74,33 @@ pub(crate) struct Timeout {
     /// The key of a description.
     pub(crate) key: &'static str,
     pub(crate) milliseconds: u32,
+}
+
+/// A module in a slot.
+#[derive(Debug)]
+pub(crate) struct Plug {
+    pub(crate) at: At,
+    pub(crate) ident: u32,
+    pub(crate) name: String,
+    /// How far apart the objects and the PDOs of the slots are.
+    pub(crate) index_step: u16,
+    pub(crate) pdo_step: u16,
+}
+
+/// A slot whose module is to be chosen.
+#[derive(Debug, Default)]
+pub(crate) struct OpenSlot {
+    pub(crate) at: At,
+    pub(crate) name: Option<String>,
+    pub(crate) names: Texts,
+    pub(crate) min: u16,
+    pub(crate) max: u16,
+    pub(crate) index_step: u16,
+    pub(crate) pdo_step: u16,
+    pub(crate) modules: Vec<u32>,
+    pub(crate) default: Option<u32>,
+    /// What classes of modules fit, each with its name.
+    pub(crate) classes: Vec<(String, Option<String>, Texts)>,
 }
 
 #[derive(Debug, Default)]
@@ -88,6 +121,7 @@ pub(crate) struct Sm {
     pub(crate) control: Option<u8>,
     pub(crate) enable: Option<bool>,
     pub(crate) op_only: bool,
+    pub(crate) r#virtual: bool,
 }
 
 #[derive(Debug, Default)]
@@ -101,6 +135,8 @@ pub(crate) struct Pdo {
     pub(crate) sm: Option<u8>,
     /// The number of its sync unit.
     pub(crate) su: Option<u8>,
+    pub(crate) r#virtual: bool,
+    pub(crate) oversampling: Option<Oversampling>,
     pub(crate) excludes: Vec<(u16, At)>,
     pub(crate) entries: Vec<PdoEntry>,
 }
@@ -115,6 +151,7 @@ pub(crate) struct PdoEntry {
     pub(crate) name: Option<String>,
     pub(crate) names: Texts,
     pub(crate) data_type: Option<String>,
+    pub(crate) comment: Option<String>,
 }
 
 #[derive(Debug, Default)]
@@ -127,8 +164,8 @@ pub(crate) struct Mailbox {
     pub(crate) pdo_config: bool,
     pub(crate) complete_access: bool,
     pub(crate) segmented: bool,
-    pub(crate) eoe_ip: Option<bool>,
-    pub(crate) eoe_mac: Option<bool>,
+    /// Abilities that it may be silent about, by the keys of a description.
+    pub(crate) others: Vec<(&'static str, bool)>,
     /// Whether it says that there is a list of diagnosis messages.
     pub(crate) diagnosis: bool,
     pub(crate) commands: Vec<InitCmd>,
@@ -208,93 +245,4 @@ pub(crate) struct Eeprom {
     pub(crate) size: Option<u32>,
     pub(crate) config_data: Vec<u8>,
     pub(crate) bootstrap: Vec<u8>,
-}
-
-/// An object of the dictionary with its type resolved into values.
-#[derive(Debug, Default)]
-pub(crate) struct Object {
-    pub(crate) at: At,
-    pub(crate) index: u16,
-    pub(crate) name: Option<String>,
-    pub(crate) names: Texts,
-    pub(crate) comment: Option<String>,
-    pub(crate) flags: Flags,
-    pub(crate) properties: Vec<Property>,
-    pub(crate) shape: Shape,
-    pub(crate) values: Vec<Value>,
-}
-
-/// How the type of an object is declared.
-#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shape {
-    #[default]
-    Var,
-    Array,
-    Record,
-}
-
-/// A value that an index and a subindex name.
-#[derive(Debug, Default)]
-pub(crate) struct Value {
-    pub(crate) at: At,
-    pub(crate) subindex: u8,
-    pub(crate) name: Option<String>,
-    pub(crate) names: Texts,
-    /// What tools are to show instead of the name.
-    pub(crate) display_name: Option<String>,
-    pub(crate) comment: Option<String>,
-    /// The basic type at the bottom of its type.
-    pub(crate) type_name: String,
-    pub(crate) bits: Option<u32>,
-    pub(crate) choices: Rc<[Choice]>,
-    pub(crate) flags: Flags,
-    pub(crate) properties: Vec<Property>,
-    pub(crate) default: Option<Datum>,
-    pub(crate) min: Option<Datum>,
-    pub(crate) max: Option<Datum>,
-}
-
-#[derive(Debug, Default, Clone, PartialEq)]
-pub(crate) struct Choice {
-    pub(crate) value: i64,
-    pub(crate) name: String,
-    pub(crate) names: Texts,
-    pub(crate) comment: Option<String>,
-}
-
-/// Something that the vendor's tools are told.
-#[derive(Debug, Default, Clone, PartialEq, Eq)]
-pub(crate) struct Property {
-    pub(crate) name: String,
-    pub(crate) value: Option<String>,
-    pub(crate) about: Option<String>,
-}
-
-/// Who may do what with a value.
-#[derive(Debug, Default, Clone, PartialEq, Eq)]
-pub(crate) struct Flags {
-    pub(crate) access: Option<String>,
-    pub(crate) write_restrictions: Option<String>,
-    pub(crate) category: Option<String>,
-    pub(crate) pdo_mapping: Option<String>,
-    pub(crate) backup: bool,
-    pub(crate) setting: bool,
-}
-
-/// A value as it is written.
-#[derive(Debug, Clone)]
-pub(crate) struct Datum {
-    pub(crate) at: At,
-    pub(crate) written: Written,
-}
-
-/// The three ways to write a value.
-#[derive(Debug, Clone)]
-pub(crate) enum Written {
-    /// Little-endian bytes.
-    Data(Vec<u8>),
-    /// A number.
-    Number(String),
-    /// Text.
-    Text(String),
 }

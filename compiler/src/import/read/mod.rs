@@ -11,6 +11,7 @@ mod encoding;
 mod esi;
 mod modules;
 mod number;
+mod objects;
 mod parse;
 mod process_data;
 mod sdos;
@@ -23,7 +24,7 @@ pub(super) use eds::device as sheet_device;
 pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{
     Alternative, Choice, Datum, Device, Esi, Fmmu, Head, InitCmd, Mailbox, Message, ModeManager, Object,
-    OpMode, Pdo, PdoEntry, Property, Shape, Signal, Sm, Texts, Timeout, Value, Written,
+    OpMode, OpenSlot, Pdo, PdoEntry, Plug, Property, Shape, Signal, Sm, Texts, Timeout, Value, Written,
 };
 pub(super) use number::number;
 pub(super) use sdos::{List, list};

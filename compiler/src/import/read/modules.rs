@@ -1,7 +1,7 @@
 //! Modules that are in the slots of a device by default: what they bring is there like what the device has itself.
 
 use super::element::Element;
-use super::esi::{Device, Object, Pdo};
+use super::esi::{Device, Object, OpenSlot, Pdo, Plug};
 use super::number::{number, truth};
 use super::{dictionary, process_data, words};
 
@@ -20,7 +20,10 @@ pub(super) fn plug<'e, 't>(
     device: &'e Element<'t>,
     into: &mut Device,
 ) -> Vec<&'e Element<'t>> {
-    let Some(plugged) = plugged(root, device) else { return Vec::new() };
+    let Some(plugged) = plugged(root, device) else {
+        into.open_slots = open_slots(device);
+        return Vec::new();
+    };
     let Some(slots) = device.child("Slots") else { return Vec::new() };
     for name in ["SlotPdoIncrement", "SlotIndexIncrement", "MaxSlotCount"] {
         slots.attribute(name);
@@ -35,6 +38,23 @@ pub(super) fn plug<'e, 't>(
             chosen.attribute("Default");
         }
     }
+    let step = |name| slots.attribute_as(name, number).unwrap_or(0);
+    let plug = |it: &Plugged<'_, '_>| {
+        let kind = it.module.child("Type")?;
+        let name = words::name(it.module, "Name").unwrap_or_else(|| kind.text().to_owned());
+        // What is said twice says nothing more.
+        if kind.plain() == name {
+            kind.text();
+        }
+        Some(Plug {
+            at: it.module.at(),
+            ident: kind.attribute_as("ModuleIdent", self::number)?,
+            name,
+            index_step: step("SlotIndexIncrement"),
+            pdo_step: step("SlotPdoIncrement"),
+        })
+    };
+    into.plugged = plugged.iter().filter_map(plug).collect();
     let mut modules: Vec<&Element<'_>> = Vec::new();
     for it in plugged {
         if !modules.iter().any(|known| std::ptr::eq(*known, it.module)) {
@@ -45,6 +65,45 @@ pub(super) fn plug<'e, 't>(
         into.objects.extend(objects(&it));
     }
     modules
+}
+
+/// The slots whose modules are to be chosen.
+fn open_slots(device: &Element<'_>) -> Vec<OpenSlot> {
+    let Some(slots) = device.child("Slots") else { return Vec::new() };
+    let common = |name| slots.attribute_as(name, number).unwrap_or(0);
+    let (pdos, objects) = (common("SlotPdoIncrement"), common("SlotIndexIncrement"));
+    let open: Vec<OpenSlot> = slots.all("Slot").map(|slot| open_slot(slot, pdos, objects)).collect();
+    // How many slots there are in all follows from how many there are of each kind.
+    let most = open.iter().map(|slot| u32::from(slot.max)).sum::<u32>();
+    slots.attribute_as("MaxSlotCount", |text| number(text).filter(|count: &u32| *count == most));
+    // What says nothing: no groups, and that modules are known by their numbers.
+    for name in ["MaxSlotGroupCount", "SlotGroupPdoIncrement", "SlotGroupIndexIncrement"] {
+        slots.attribute_as(name, |text| number(text).filter(|it: &u32| *it == 0));
+    }
+    slots.attribute_as("IdentifyModuleBy", |text| (text == "ModuleIdent").then_some(()));
+    open
+}
+
+fn open_slot(slot: &Element<'_>, pdos: u16, objects: u16) -> OpenSlot {
+    let of = |name| slot.attribute_as(name, number);
+    let idents = || slot.all("ModuleIdent").filter_map(|it| Some((number(it.text())?, it)));
+    let class = |class: &Element<'_>| {
+        let word = class.child("Class")?.text().to_owned();
+        Some((word, words::name(class, "Name"), words::others(class, "Name")))
+    };
+    slot.attribute_as("SlotGroup", |text| number(text).filter(|it: &u32| *it == 0));
+    OpenSlot {
+        at: slot.at(),
+        name: words::name(slot, "Name"),
+        names: words::others(slot, "Name"),
+        min: of("MinInstances").unwrap_or(0),
+        max: of("MaxInstances").unwrap_or(1),
+        index_step: of("SlotIndexIncrement").unwrap_or(objects),
+        pdo_step: of("SlotPdoIncrement").unwrap_or(pdos),
+        modules: idents().map(|(ident, _)| ident).collect(),
+        default: idents().find(|(_, it)| it.attribute_as("Default", truth) == Some(true)).map(|(it, _)| it),
+        classes: slot.all("ModuleClass").filter_map(class).collect(),
+    }
 }
 
 fn is_default(child: &Element<'_>) -> bool {

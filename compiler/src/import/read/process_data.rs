@@ -4,6 +4,7 @@ use super::element::Element;
 use super::esi::{Fmmu, Pdo, PdoEntry, Sm};
 use super::number::{number, truth};
 use super::words;
+use crate::model::Oversampling;
 
 /// A mapping unit.
 pub(super) fn fmmu(element: &Element<'_>) -> Fmmu {
@@ -12,7 +13,6 @@ pub(super) fn fmmu(element: &Element<'_>) -> Fmmu {
 }
 
 pub(super) fn sm(element: &Element<'_>) -> Sm {
-    element.says_usual("Virtual");
     element.says_usual("Watchdog");
     Sm {
         at: element.at(),
@@ -25,11 +25,11 @@ pub(super) fn sm(element: &Element<'_>) -> Sm {
         enable: element
             .attribute_as("Enable", |text| truth(text).or(number::<u8>(text).map(|it| it & 1 == 1))),
         op_only: element.attribute_as("OpOnly", truth).unwrap_or(false),
+        r#virtual: element.attribute_as("Virtual", truth).unwrap_or(false),
     }
 }
 
 pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
-    element.says_usual("Virtual");
     element.says_usual("OverwrittenByModule");
     Some(Pdo {
         at: element.at(),
@@ -40,9 +40,18 @@ pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
         mandatory: element.attribute_as("Mandatory", truth).unwrap_or(false),
         sm: element.attribute_as("Sm", number),
         su: element.attribute_as("Su", number),
+        r#virtual: element.attribute_as("Virtual", truth).unwrap_or(false),
+        oversampling: oversampling(element),
         excludes: element.all("Exclude").filter_map(|it| Some((number(it.text())?, it.at()))).collect(),
         entries: element.all("Entry").filter_map(entry).collect(),
     })
+}
+
+/// How often its values can be there; not without how often they are.
+fn oversampling(element: &Element<'_>) -> Option<Oversampling> {
+    let factor = element.attribute_as("OSFac", number)?;
+    let of = |name| element.attribute_as(name, number);
+    Some(Oversampling { factor, min: of("OSMin"), max: of("OSMax"), step: of("OSIndexInc") })
 }
 
 fn entry(element: &Element<'_>) -> Option<PdoEntry> {
@@ -53,6 +62,7 @@ fn entry(element: &Element<'_>) -> Option<PdoEntry> {
         bits: element.child_as("BitLen", number)?,
         name: words::name(element, "Name"),
         names: words::others(element, "Name"),
+        comment: words::name(element, "Comment"),
         data_type: element.child("DataType").map(|it| it.text().to_owned()).filter(|it| !it.is_empty()),
     })
 }

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::read::{Pdo, PdoEntry};
 use super::super::report::Report;
-use super::super::toml::{Keys, Toml, get, set};
+use super::super::toml::{Keys, Toml, get, set, set_some};
 use super::described::Described;
 use super::draft::Block;
 use crate::model::Kind;
@@ -22,6 +22,8 @@ const FIRST: std::ops::RangeInclusive<u16> = 0x6000..=0x67FF;
 #[derive(Debug, Default)]
 pub(super) struct Axes {
     count: u16,
+    /// How far apart their PDOs are.
+    pdo_step: u16,
     /// What they are called.
     names: Vec<String>,
     /// Whether the file calls them so.
@@ -34,7 +36,7 @@ pub(super) struct Axes {
 
 impl Axes {
     /// The axes of a dictionary: as many as have a control word and a status word. None if there are not several.
-    pub(super) fn of(objects: &[Described], slots: &[String]) -> Self {
+    pub(super) fn of(objects: &[Described], slots: &[String], pdos: [&[&Pdo]; 2]) -> Self {
         let at = |index: u16| {
             objects.binary_search_by_key(&index, |it| it.index).ok().and_then(|it| objects.get(it))
         };
@@ -60,7 +62,37 @@ impl Axes {
             }
         }
         axes.ranges = axes.ranges(objects);
+        axes.pdo_step = axes.step(pdos);
         axes
+    }
+
+    /// What they are called; nothing if there are not several.
+    pub(super) fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Whether the objects and the PDOs of the axes are so far apart.
+    pub(super) fn are_apart(&self, objects: u16, pdos: u16) -> bool {
+        objects == OBJECTS && pdos == self.pdo_step
+    }
+
+    /// How far the PDOs are apart: the distance by which most are those of all axes, the usual one if it is one of these.
+    fn step(&self, ways: [&[&Pdo]; 2]) -> u16 {
+        let is_of_axis = |pdo: &&&Pdo| pdo.entries.iter().any(|it| self.shared.contains_key(&it.index));
+        let distances = ways.into_iter().flat_map(|pdos| {
+            let first = pdos.iter().find(is_of_axis).map(|it| it.index);
+            pdos.iter().filter_map(move |it| it.index.checked_sub(first?)).filter(|it| *it > 0)
+        });
+        let distances: BTreeSet<u16> = distances.filter(|it| *it != PDOS).collect();
+        let leading = |step: u16| ways.map(|pdos| self.leading(pdos, step).len()).iter().sum::<usize>();
+        let mut best = (PDOS, leading(PDOS));
+        for step in distances {
+            let found = leading(step);
+            if found > best.1 {
+                best = (step, found);
+            }
+        }
+        best.0
     }
 
     fn name(&self, axis: u16) -> String {
@@ -115,10 +147,12 @@ impl Axes {
             let range = Toml::text(format!("0x{first:04X}..=0x{last:04X}"));
             Toml::Table(vec![("range".to_owned(), range), ("by".to_owned(), Toml::Hex(OBJECTS.into(), 3))])
         });
-        let keys = vec![
+        let mut keys = vec![
             ("names".to_owned(), Toml::texts(&self.names)),
             ("shifts".to_owned(), Toml::List(shifts.collect())),
         ];
+        let step = (self.pdo_step != PDOS).then(|| Toml::Hex(self.pdo_step.into(), 2));
+        set_some(&mut keys, "pdo-shift", step);
         Some(Block {
             remarks: if self.are_named {
                 Vec::new()
@@ -135,30 +169,38 @@ impl Axes {
         if self.count < 2 {
             return (leading, following);
         }
-        for first in pdos {
-            let other = |axis: u16| {
-                let index = first.index.checked_add(axis * PDOS)?;
-                pdos.iter().find(|it| it.index == index && self.same(first, it, axis))
-            };
-            let others: Option<Vec<&&Pdo>> = (1..self.count).map(other).collect();
-            let Some(others) = others.filter(|_| !following.contains(&first.index)) else { continue };
+        for (first, others) in self.leading(pdos, self.pdo_step) {
             leading.insert(first.index);
             for other in others {
                 following.insert(other.index);
                 if other.name != first.name {
-                    report.lose(
-                        other.at,
-                        1,
-                        "the name of a PDO of another axis",
-                        "it has that of the first axis",
-                    );
+                    let why = "it has that of the first axis";
+                    report.lose(other.at, 1, "the name of a PDO of another axis", why);
                 }
             }
         }
         (leading, following)
     }
 
-    fn same(&self, first: &Pdo, other: &Pdo, axis: u16) -> bool {
+    /// The PDOs that all axes have if theirs are so far apart, each with those of the other axes.
+    fn leading<'p>(&self, pdos: &[&'p Pdo], step: u16) -> Vec<(&'p Pdo, Vec<&'p Pdo>)> {
+        let by_index: BTreeMap<u16, &Pdo> = pdos.iter().map(|pdo| (pdo.index, *pdo)).collect();
+        let mut following = BTreeSet::new();
+        let mut found = Vec::new();
+        for first in pdos {
+            let other = |axis: u16| {
+                let index = first.index.checked_add(axis.checked_mul(step)?)?;
+                by_index.get(&index).copied().filter(|it| self.same(first, it, axis, step))
+            };
+            let others: Option<Vec<&Pdo>> = (1..self.count).map(other).collect();
+            let Some(others) = others.filter(|_| !following.contains(&first.index)) else { continue };
+            following.extend(others.iter().map(|it| it.index));
+            found.push((*first, others));
+        }
+        found
+    }
+
+    fn same(&self, first: &Pdo, other: &Pdo, axis: u16, step: u16) -> bool {
         let shifted = |it: &PdoEntry| {
             let by = if self.shared.contains_key(&it.index) { axis * OBJECTS } else { 0 };
             (it.index.wrapping_add(by), it.subindex, it.bits)
@@ -169,7 +211,7 @@ impl Axes {
             && first.mandatory == other.mandatory
             && first.sm == other.sm
             && first.su == other.su
-            && excludes(first, axis * PDOS) == excludes(other, 0)
+            && excludes(first, axis * step) == excludes(other, 0)
             && first
                 .entries
                 .iter()
@@ -199,6 +241,7 @@ fn differing(first: &Described, other: &Described) -> Option<Keys> {
     if first.kind != other.kind
         || !same_values && first.kind != Kind::Var
         || first.about != other.about
+        || first.sdo_access != other.sdo_access
         || first.properties != other.properties
     {
         return None;

@@ -5,7 +5,7 @@ use super::super::report::Report;
 use super::super::toml::{Keys, Toml, get};
 use super::value::{Said, said};
 use super::words;
-use crate::model::Kind;
+use crate::model::{Kind, SdoAccess};
 
 /// An object in the words of a description.
 #[derive(Debug)]
@@ -19,6 +19,7 @@ pub(super) struct Described {
     /// What the vendor's tools are told.
     pub(super) properties: Option<Toml>,
     pub(super) about: Option<String>,
+    pub(super) sdo_access: Option<SdoAccess>,
     pub(super) category: Option<Toml>,
     /// Its values by subindex.
     pub(super) values: Vec<Said>,
@@ -52,6 +53,7 @@ pub(super) fn described(object: &Object, report: &mut Report) -> Option<Describe
         kind,
         properties: words::properties(&object.properties),
         about: object.comment.clone(),
+        sdo_access: object.flags.sdo_access,
         category: object
             .flags
             .category

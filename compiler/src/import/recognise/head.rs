@@ -94,6 +94,9 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
         let replaces = device.replaces.iter().map(|revision| Toml::Hex((*revision).into(), 8));
         set(&mut keys, "replaces", Toml::List(replaces.collect()));
     }
+    let product_code = device.check_product_code.map(|it| Toml::text(it.word()));
+    set_some(&mut keys, "check-product-code", product_code);
+    set_some(&mut keys, "check-revision", device.check_revision.map(|it| Toml::text(it.word())));
     Block { remarks, ..Block::new("identity", None, keys) }
 }
 

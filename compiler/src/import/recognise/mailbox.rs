@@ -25,10 +25,8 @@ pub(super) fn mailbox(device: &Device, report: &mut Report) -> Option<Block> {
             set(&mut keys, name, Toml::Bool(true));
         }
     }
-    for (name, value) in [("eoe-ip", mailbox.eoe_ip), ("eoe-mac", mailbox.eoe_mac)] {
-        if let Some(value) = value {
-            set(&mut keys, name, Toml::Bool(value));
-        }
+    for (name, value) in &mailbox.others {
+        set(&mut keys, name, Toml::Bool(*value));
     }
     if mailbox.diagnosis && device.objects.iter().all(|object| object.index != DIAGNOSIS_HISTORY) {
         report.lose(mailbox.at, 1, "CoE/@DiagHistory", "there is no object 0x10F3");

@@ -17,6 +17,7 @@ mod objects;
 mod pdos;
 mod profile;
 mod references;
+mod slots;
 mod start_up;
 mod sync_managers;
 mod types;
@@ -44,8 +45,8 @@ use sync_managers::Manager;
 pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let profiles = if is_drive(device) { vec!["ethercat", "cia402"] } else { vec!["ethercat"] };
     let known = Known::of(&profiles);
-    let rx = pdos::possible(&device.rx_pdos, Way::Rx, report);
-    let tx = pdos::possible(&device.tx_pdos, Way::Tx, report);
+    let rx = pdos::possible(&device.rx_pdos, Way::Rx, &[], report);
+    let tx = pdos::possible(&device.tx_pdos, Way::Tx, &rx, report);
     let managers = sync_managers::managers(&device.sync_managers, report);
     let basis = basis(device, [&rx, &tx], &managers);
     let (made, own): (Vec<&Object>, Vec<&Object>) =
@@ -59,9 +60,11 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     }
     let mut draft = Draft { profiles, ..Draft::default() };
     draft.device = head::blocks(esi, device, &described, report);
-    let axes = Axes::of(&described, &device.slots);
+    let axes = Axes::of(&described, &device.slots, [&rx, &tx]);
     let references = References::of(&described, &known, &axes);
     draft.device.extend(axes.block(&described, report));
+    draft.device.extend(slots::modules(device, &axes, report));
+    draft.device.extend(slots::open(device, report));
     for object in described.iter().filter(|object| !axes.repeats(object.index)) {
         let (mut block, without) = objects::block(object, &known, report);
         axes.complete(object.index, &mut block);

@@ -8,7 +8,7 @@ use super::entries::{shared, tables};
 use super::profile::{Base, Known};
 use super::value::Said;
 use super::words;
-use crate::model::Kind;
+use crate::model::{Kind, SdoAccess};
 
 /// The table of an object, and the paths of what its profile says and it does not have.
 pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (Block, Vec<String>) {
@@ -33,9 +33,13 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
         keys.insert(place, ("about".to_owned(), Toml::text(about)));
     }
-    if let Some(properties) = &object.properties {
+    let access = object.sdo_access.map(|access| match access {
+        SdoAccess::Complete => "complete",
+        SdoAccess::Single => "single",
+    });
+    for (name, value) in [("sdo-access", access.map(Toml::text)), ("properties", object.properties.clone())] {
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
-        keys.insert(place, ("properties".to_owned(), properties.clone()));
+        keys.splice(place..place, value.map(|value| (name.to_owned(), value)));
     }
     let without = without.into_iter().map(|path| format!("objects.{key}.{path}")).collect();
     (Block::new("objects", Some(key), keys), without)

@@ -7,6 +7,7 @@ use super::draft::Block;
 use super::references::References;
 use super::types::data_type;
 use super::words;
+use crate::model::Oversampling;
 
 /// A direction of process data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,29 +31,19 @@ impl Way {
             Self::Tx => "TxPdo",
         }
     }
-
-    /// The indices that ETG.1000.6 has for it.
-    fn holds(self, index: u16) -> bool {
-        match self {
-            Self::Rx => (0x1600..=0x17FF).contains(&index),
-            Self::Tx => (0x1A00..=0x1BFF).contains(&index),
-        }
-    }
 }
 
-/// The PDOs of a direction that a description can have: of each index the first.
-pub(super) fn possible<'p>(pdos: &'p [Pdo], way: Way, report: &mut Report) -> Vec<&'p Pdo> {
+/// Where mapping objects can lie.
+const INDICES: std::ops::RangeInclusive<u16> = 0x1600..=0x1BFF;
+
+/// The PDOs of a direction that a description can have: of each index the first. The indices of `others` are taken.
+pub(super) fn possible<'p>(pdos: &'p [Pdo], way: Way, others: &[&Pdo], report: &mut Report) -> Vec<&'p Pdo> {
     let mut possible: Vec<&Pdo> = Vec::new();
     for pdo in pdos {
         let what = format!("{} 0x{:04X}", way.element(), pdo.index);
-        if !way.holds(pdo.index) {
-            report.lose(
-                pdo.at,
-                facts(pdo),
-                what,
-                "its index is none of those that ETG.1000.6 has for its direction",
-            );
-        } else if possible.iter().any(|known| known.index == pdo.index) {
+        if !INDICES.contains(&pdo.index) {
+            report.lose(pdo.at, facts(pdo), what, "its index is none of those that mapping objects have");
+        } else if possible.iter().chain(others).any(|known| known.index == pdo.index) {
             report.lose(pdo.at, facts(pdo), what, "there is one of this index already");
         } else {
             possible.push(pdo);
@@ -114,6 +105,10 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
     if let Some(unit) = pdo.su.and_then(|number| units.get(usize::from(number))) {
         set(&mut keys, "sync-unit", Toml::text(unit));
     }
+    if pdo.r#virtual {
+        set(&mut keys, "virtual", Toml::Bool(true));
+    }
+    set_some(&mut keys, "oversampling", pdo.oversampling.map(oversampling));
     let entries: Vec<Toml> = pdo.entries.iter().map(|entry| mapped(entry, references, report)).collect();
     if !entries.is_empty() {
         set(&mut keys, "entries", Toml::List(entries));
@@ -123,6 +118,12 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
         set(&mut keys, "excludes", Toml::texts(excludes));
     }
     Block { remarks, ..Block::new(way.section(), Some(key), keys) }
+}
+
+fn oversampling(it: Oversampling) -> Toml {
+    let said = [("factor", Some(it.factor)), ("min", it.min), ("max", it.max), ("step", it.step)];
+    let said = said.into_iter().filter_map(|(key, value)| Some((key, value?)));
+    Toml::Table(said.map(|(key, value)| (key.to_owned(), Toml::Integer(value.into()))).collect())
 }
 
 /// The PDOs that it cannot be assigned together with.
@@ -145,21 +146,23 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     let bits = || ("bits".to_owned(), Toml::Integer(entry.bits.into()));
     let named = |name: &String| ("name".to_owned(), Toml::text(name));
     let names = words::in_languages(&entry.names).map(|it| ("names".to_owned(), it));
+    let about = entry.comment.as_ref().map(|it| ("about".to_owned(), Toml::text(it)));
     if entry.index == 0 {
         let name = entry.name.iter().filter(|name| !is_padding(name)).map(named);
-        return Toml::Table(std::iter::once(bits()).chain(name).chain(names).collect());
+        return Toml::Table(std::iter::once(bits()).chain(name).chain(names).chain(about).collect());
     }
     let address = format!("0x{:04X}:{:02X}", entry.index, entry.subindex);
     let Some(target) = references.get(entry.index, entry.subindex) else {
         let width = own_type(entry, report).map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
         let keys = [("entry".to_owned(), Toml::text(address)), width];
         let name = entry.name.as_ref().map(named);
-        return Toml::Table(keys.into_iter().chain(name).chain(names).collect());
+        return Toml::Table(keys.into_iter().chain(name).chain(names).chain(about).collect());
     };
-    let same_type = entry.data_type.as_deref().is_none_or(|name| {
-        data_type(name, Some(entry.bits.into())).is_some_and(|(found, _)| found == target.data_type)
-    });
-    if !same_type {
+    let told = entry.data_type.as_deref().map(|name| data_type(name, Some(entry.bits.into())));
+    let told = told.map(|told| told.map(|(found, _)| found));
+    let own_type = told.flatten().filter(|told| *told != target.data_type);
+    let own_type = own_type.filter(|own| own.bits() == target.data_type.bits() && own.bits() > 0);
+    if own_type.is_none() && told.is_some_and(|told| told != Some(target.data_type)) {
         let written = entry.data_type.as_deref().unwrap_or_default();
         let why = format!("its object is {}, the PDO says {written}", target.data_type);
         report.lose(entry.at, 1, format!("the data type of {address} in a PDO"), why);
@@ -168,11 +171,13 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     if u32::from(entry.bits) != target.data_type.bits() {
         keys.push(bits());
     }
+    keys.extend(own_type.map(|own| ("type".to_owned(), Toml::text(own.to_string()))));
     let other = |name: &&String| target.name.as_ref().is_none_or(|known| !words::alike(known, name));
     keys.extend(entry.name.as_ref().filter(other).map(named));
     let is_other =
         keys.iter().any(|(key, _)| key == "name") || words::in_languages(&entry.names) != target.names;
     keys.extend(names.filter(|_| is_other));
+    keys.extend(about);
     if keys.len() > 1 { Toml::Table(keys) } else { Toml::text(&target.text) }
 }
 

@@ -184,6 +184,9 @@ fn keys(
     if manager.op_only {
         set(&mut keys, "op-only", Toml::Bool(true));
     }
+    if manager.r#virtual {
+        set(&mut keys, "virtual", Toml::Bool(true));
+    }
     keys
 }
 

@@ -98,6 +98,7 @@ fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
     set(keys, "access", Toml::text(words::access(access.flatten().unwrap_or(Access::Ro))));
     let mappable = words::mappable_of(flags.pdo_mapping.as_deref().unwrap_or_default());
     set(keys, "pdo", Toml::text(words::mappable(mappable)));
+    set_some(keys, "safety", flags.safety.map(|it| Toml::text(it.word())));
     if let Some(category) = flags.category.as_deref().and_then(words::category_of) {
         set(keys, "category", Toml::text(words::category(category)));
     }

@@ -40,7 +40,7 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    let slots = device.slots();
+    let slots = device.slots_of_axes();
     let about_slots = [0xF000, 0xF010, 0xF030, 0xF050];
     let objects = device.objects.iter().filter(|object| about_slots.contains(&object.index.0));
     for entry in objects.flat_map(|object| &object.entries) {

@@ -59,6 +59,7 @@ mod misaligned_entry;
 mod misclassified_error;
 mod misdirected_entry;
 mod misordered_sync_managers;
+mod misplaced_pdo;
 mod misplaced_sync_manager;
 pub(crate) mod missing_config_data;
 mod missing_group;
@@ -203,6 +204,7 @@ lints! {
     misclassified_error,
     misdirected_entry,
     misordered_sync_managers,
+    misplaced_pdo,
     misplaced_sync_manager,
     missing_config_data,
     missing_group,

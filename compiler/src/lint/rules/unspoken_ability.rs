@@ -30,6 +30,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         ("pdo-config", mailbox.pdo_config, Protocol::Coe),
         ("complete-access", mailbox.complete_access, Protocol::Coe),
         ("segmented", mailbox.segmented, Protocol::Coe),
+        ("pdo-upload", mailbox.pdo_upload == Some(true), Protocol::Coe),
+        ("aoe-router", mailbox.aoe_router == Some(true), Protocol::Aoe),
+        ("aoe-generates-net-id", mailbox.aoe_generates_net_id == Some(true), Protocol::Aoe),
+        ("aoe-initialize-net-id", mailbox.aoe_initialize_net_id == Some(true), Protocol::Aoe),
         ("eoe-ip", mailbox.eoe_ip == Some(true), Protocol::Eoe),
         ("eoe-mac", mailbox.eoe_mac == Some(true), Protocol::Eoe),
     ];

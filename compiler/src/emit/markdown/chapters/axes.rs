@@ -4,14 +4,14 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Arrangement, Axis, Index, Module, Shift};
+use crate::model::{Arrangement, Axis, Index, Module, Shift, Slot};
 
 /// Which axes there are, and what moves from one to the next.
 pub(super) fn page(
     context: &Context<'_>,
     axes: &[Axis],
     arrangement: &Arrangement,
-    modules: &[Module],
+    (modules, slots): (&[Module], &[Slot]),
 ) -> Page {
     let Arrangement { shifts, pdo_shift, add_info, coupling, source, origin } = arrangement;
     let mut page = Page::default();
@@ -24,6 +24,7 @@ pub(super) fn page(
         page.text(context.said_line(source.as_ref(), origin));
         page.titled("Modules", module_table(context, modules));
     }
+    page.titled("Slots", slot_table(context, slots));
     page
 }
 
@@ -58,6 +59,23 @@ fn module_table(context: &Context<'_>, modules: &[Module]) -> Table {
             text(&module.name),
             list(context.device.axes_of(module).map(|axis| text(&axis.name))),
             context.said(module.source.as_ref(), &module.origin),
+        ]
+    })
+}
+
+/// Places for modules.
+fn slot_table(context: &Context<'_>, slots: &[Slot]) -> Table {
+    Table::of(["Slots", "How many", "Modules that fit", "Source"], slots, |slot| {
+        let ident = |ident: &u32| match slot.default == Some(*ident) {
+            true => format!("{} (default)", code(format!("0x{ident:08X}"))),
+            false => code(format!("0x{ident:08X}")),
+        };
+        let classes = slot.classes.iter().map(|it| text(it.name.as_ref().unwrap_or(&it.class)));
+        [
+            text(&slot.name),
+            if slot.min == slot.max { slot.max.to_string() } else { format!("{} to {}", slot.min, slot.max) },
+            list(slot.modules.iter().map(ident).chain(classes)),
+            context.said(slot.source.as_ref(), &slot.origin),
         ]
     })
 }

@@ -141,6 +141,7 @@ fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
 /// When a sync manager is on, if that is not always.
 fn on(manager: &SyncManager) -> &'static str {
     match (manager.enable, manager.op_only) {
+        _ if manager.r#virtual => "for tools only",
         (false, _) => "no",
         (true, true) => "in Operational only",
         (true, false) => "",
@@ -177,9 +178,16 @@ fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
         ("Complete access", answer(complete_access)),
         ("Segmented transfer", answer(segmented)),
     ];
-    let eoe = [("Setting the IP address", mailbox.eoe_ip), ("Setting the MAC address", mailbox.eoe_mac)];
-    let eoe = eoe.into_iter().filter_map(|(name, able)| Some((name, answer(&able?))));
-    let rows = rows.into_iter().chain(eoe);
+    let others = [
+        ("Telling by upload what PDOs map", mailbox.pdo_upload),
+        ("Routing ADS messages", mailbox.aoe_router),
+        ("Making its own net id", mailbox.aoe_generates_net_id),
+        ("Setting the net id", mailbox.aoe_initialize_net_id),
+        ("Setting the IP address", mailbox.eoe_ip),
+        ("Setting the MAC address", mailbox.eoe_mac),
+    ];
+    let others = others.into_iter().filter_map(|(name, able)| Some((name, answer(&able?))));
+    let rows = rows.into_iter().chain(others);
     let source = context.said(source.as_ref(), origin);
     Table::of(["Mailbox", "Supported", "Source"], rows, |(name, value)| [name.into(), value, source.clone()])
 }

@@ -128,7 +128,7 @@ fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {
 }
 
 fn identity(identity: &Identity) -> Table {
-    let Identity { vendor_id, product_code, revision, serial, replaces, source: _, origin: _ } = identity;
+    let Identity { vendor_id, product_code, revision, serial, replaces, .. } = identity;
     let rows = [
         ("Vendor ID", vendor_id),
         ("Product code", product_code),

@@ -7,7 +7,7 @@ use crate::emit::markdown::number::{bytes, place, width};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::picture;
 use crate::emit::markdown::table::{Table, Title};
-use crate::model::{Address, Direction, Mapped, Pdo, Role};
+use crate::model::{Address, Direction, Mapped, Oversampling, Pdo, Role};
 
 /// The process data objects and how their bytes are laid out.
 pub(super) fn page(context: &Context<'_>) -> Page {
@@ -103,6 +103,8 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         about: _,
         source: _,
         sync_unit,
+        r#virtual,
+        oversampling,
         origin: _,
     } = pdo;
     let assigned = context.device.sync_managers.iter().any(|manager| manager.pdos.contains(index));
@@ -116,9 +118,19 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         max_entries.map(|most| format!("up to {most} entries")),
         mode.map(|mode| format!("for mode {}", context.mode(mode))),
         sync_unit.as_deref().map(|unit| format!("sync unit {}", text(unit))),
+        r#virtual.then(|| "for a master's own programs only".into()),
+        oversampling.map(samples),
         claimed.map(|total| format!("the manual gives {}", bytes(total.into()))),
     ];
     facts.into_iter().flatten().collect()
+}
+
+/// How often its values can be there in a cycle.
+fn samples(oversampling: Oversampling) -> String {
+    let Oversampling { factor, min, max, step: _ } = oversampling;
+    let least = min.unwrap_or(1);
+    let most = max.map_or(String::new(), |max| format!(" of {least} to {max}"));
+    format!("{factor}{most} times in a cycle")
 }
 
 /// The bytes of a PDO.

@@ -5,7 +5,9 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Effective, Entry, Mode, Object, Pdo, Property, Source, Stored, Trigger};
+use crate::model::{
+    Effective, Entry, Mode, Object, Pdo, Property, Safety, SdoAccess, Source, Stored, Trigger,
+};
 use crate::source::Origin;
 
 /// What there is to say of an object.
@@ -91,6 +93,8 @@ struct Facts<'a> {
     properties: &'a [Property],
     backup: bool,
     setting: bool,
+    safety: Option<Safety>,
+    sdo_access: Option<SdoAccess>,
     effective: Option<Effective>,
     stored: Option<Stored>,
 }
@@ -103,6 +107,7 @@ impl<'a> Facts<'a> {
             note,
             functional,
             properties,
+            sdo_access,
             index: _,
             id: _,
             name: _,
@@ -125,6 +130,8 @@ impl<'a> Facts<'a> {
             properties,
             backup: false,
             setting: false,
+            safety: None,
+            sdo_access: *sdo_access,
             effective: None,
             stored: None,
         }
@@ -139,6 +146,7 @@ impl<'a> Facts<'a> {
             properties,
             backup,
             setting,
+            safety,
             parameter: _,
             effective,
             stored,
@@ -168,6 +176,8 @@ impl<'a> Facts<'a> {
             properties,
             backup: *backup,
             setting: *setting,
+            safety: *safety,
+            sdo_access: None,
             effective: *effective,
             stored: *stored,
         }
@@ -181,9 +191,13 @@ impl<'a> Facts<'a> {
         let note = self.note.map(|note| marked("note", note));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
+        let safety = self.safety.map(|safety| safe(safety).into());
+        let transfer = self.sdo_access.map(|access| transferred(access).into());
         let effective = self.effective.map(|when| sentence(when.sentence()));
         let stored = self.stored.map(|how| sentence(how.sentence()));
-        let said = [functional, about, note, backup, setting, effective, stored].into_iter().flatten();
+        let said = [functional, about, note, backup, setting, safety, transfer, effective, stored]
+            .into_iter()
+            .flatten();
         said.chain(self.properties.iter().map(property)).collect()
     }
 }
@@ -241,4 +255,20 @@ fn property(property: &Property) -> String {
     let value = value.as_ref().map_or(String::new(), |value| format!(" {}", code(value)));
     let about = about.as_ref().map_or(String::new(), |about| format!(": {}", text(about)));
     sentence(&format!("{}{value}{about}", text(name)))
+}
+
+fn safe(safety: Safety) -> &'static str {
+    match safety {
+        Safety::Inputs => "It is a safe input.",
+        Safety::Outputs => "It is a safe output.",
+        Safety::InputsOutputs => "It is a safe input and output.",
+        Safety::Parameters => "Safety depends on it.",
+    }
+}
+
+fn transferred(access: SdoAccess) -> &'static str {
+    match access {
+        SdoAccess::Complete => "Its entries are transferred all at once.",
+        SdoAccess::Single => "Its entries are transferred one by one.",
+    }
 }
