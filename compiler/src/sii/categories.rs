@@ -41,6 +41,7 @@ fn coe(mailbox: &Mailbox) -> u8 {
         (mailbox.sdo_info, 0x02),
         (mailbox.pdo_assign, 0x04),
         (mailbox.pdo_config, 0x08),
+        (mailbox.pdo_upload == Some(true), 0x10),
         (mailbox.complete_access, 0x20),
     ];
     abilities.into_iter().filter(|(able, _)| *able).fold(SDO, |bits, (_, bit)| bits | bit)

@@ -35,6 +35,7 @@ const BOARD: &str = r#"
     [mailbox]
     protocols = ["CoE"]
     sdo-info = true
+    pdo-upload = true
 
     [objects]
     0x1000 = { name = "Device type", type = "UINT32", default = 0x1389 }
@@ -106,8 +107,7 @@ fn general_information_is_that_of_a_published_image_but_for_the_numbers_of_strin
     let image = image();
     let general = image.category(30).unwrap();
     assert_eq!(general.len(), 32);
-    // Of the published 0x13 the upper bit says that PDOs may be read at start-up, which no key states.
-    assert_eq!(general[5], 0x13 & 0x0F);
+    assert_eq!(general[5], 0x13, "SDO, SDO information, and PDOs are uploaded");
     assert_eq!(general[6..11], [0; 5], "no FoE, no EoE, no channels");
     assert_eq!(general[16..18], [0x11, 0x00], "two ports of 100BASE-TX");
     let names = [0, 3].map(|place| image.string(general[place]));
