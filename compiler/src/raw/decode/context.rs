@@ -11,29 +11,32 @@ use crate::text::near::{list, near};
 #[derive(Debug, Default)]
 pub(super) struct Context {
     found: RefCell<Vec<Diagnostic>>,
-    /// The keys that the structs read from the outermost table know; none if it was not read as a struct.
-    top: RefCell<Vec<&'static str>>,
+    /// The keys that each struct read from the outermost table knows; none if it was not read as a struct.
+    top: RefCell<Vec<&'static [&'static str]>>,
     /// The tables in which a key was probably misspelled, with the key that was meant.
     meant: RefCell<Vec<(Location, &'static str)>>,
 }
 
 impl Context {
     /// Notes what a struct that is read from the outermost table knows.
-    pub(super) fn know(&self, fields: &[&'static str]) {
-        let mut top = self.top.borrow_mut();
-        for field in fields {
-            if !top.contains(field) {
-                top.push(field);
-            }
-        }
+    pub(super) fn know(&self, fields: &'static [&'static str]) {
+        self.top.borrow_mut().push(fields);
     }
 
     /// Judges the keys of the outermost table, when all of its structs are known.
     pub(super) fn judge_top(&self, table: &Table) {
         let top = self.top.borrow();
-        if !top.is_empty() {
-            self.judge(table, table.at, &top);
+        let knows = |name: &str| top.iter().any(|fields| fields.contains(&name));
+        if top.is_empty() || table.members.iter().all(|member| knows(&member.key.name)) {
+            return;
         }
+        let mut known: Vec<&'static str> = Vec::new();
+        for field in top.iter().copied().flatten() {
+            if !known.contains(field) {
+                known.push(field);
+            }
+        }
+        self.judge(table, table.at, &known);
     }
 
     /// Reports the keys of a table that are not among those known.

@@ -8,6 +8,9 @@ impl Context<'_> {
     /// Text on one line.
     pub(in crate::emit::markdown) fn prose(&self, plain: &str) -> String {
         let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
+        if !plain.contains('`') {
+            return self.words(&plain);
+        }
         // two in a row open and close nothing, and would stand for other things in Markdown
         if !plain.matches('`').count().is_multiple_of(2) || plain.contains("``") {
             return self.words(&plain);
@@ -38,7 +41,10 @@ impl Context<'_> {
     fn words(&self, plain: &str) -> String {
         let mut out = String::with_capacity(plain.len() + plain.len() / 8);
         let mut rest = plain;
-        while let Some((before, after)) = rest.split_once("0x") {
+        // most texts have no number, which is asked more cheaply than where it is
+        while rest.contains("0x")
+            && let Some((before, after)) = rest.split_once("0x")
+        {
             let number = Number::read(after);
             keep_spaces(before, &mut out);
             out.push_str(&self.number(&number));
