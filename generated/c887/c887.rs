@@ -47,8 +47,8 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
-    MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
-    Unmapped,
+    Carrier, MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx,
+    SyncManager, Tx, Unmapped,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{
@@ -2044,12 +2044,12 @@ impl Outputs {
 
 impl ProcessImage for Outputs {
     const PDOS: &'static [MappedPdo] = &[
-        MappedPdo::of_axis::<RxPdo1600>(0),
-        MappedPdo::of_axis::<RxPdo1600>(1),
-        MappedPdo::of_axis::<RxPdo1600>(2),
-        MappedPdo::of_axis::<RxPdo1600>(3),
-        MappedPdo::of_axis::<RxPdo1600>(4),
-        MappedPdo::of_axis::<RxPdo1600>(5),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(0),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(1),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(2),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(3),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(4),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(5),
     ];
 }
 
@@ -2114,12 +2114,12 @@ impl Inputs {
 
 impl ProcessImage for Inputs {
     const PDOS: &'static [MappedPdo] = &[
-        MappedPdo::of_axis::<TxPdo1A00>(0),
-        MappedPdo::of_axis::<TxPdo1A00>(1),
-        MappedPdo::of_axis::<TxPdo1A00>(2),
-        MappedPdo::of_axis::<TxPdo1A00>(3),
-        MappedPdo::of_axis::<TxPdo1A00>(4),
-        MappedPdo::of_axis::<TxPdo1A00>(5),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(0),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(1),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(2),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(3),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(4),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(5),
     ];
 }
 
@@ -2134,7 +2134,7 @@ pub const BRING_UP: BringUp = BringUp {
     name: "C-887.53x",
     member: 0,
     outputs: Some(SyncManager {
-        default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
+        carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650] }],
         assignable: true,
         slots: 7,
         max_size: Some(90),
@@ -2149,7 +2149,7 @@ pub const BRING_UP: BringUp = BringUp {
         ],
     }),
     inputs: Some(SyncManager {
-        default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
+        carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50] }],
         assignable: true,
         slots: 6,
         max_size: Some(66),
@@ -2172,7 +2172,7 @@ pub const BRING_UP: BringUp = BringUp {
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
     ],
-    cycles: &[CycleLimit { least_ns: 1000000, choices_ns: &[] }],
+    cycles: &[CycleLimit { least_ns: 1000000, choices_ns: &[], modes: &[], pdos: &[] }],
 };
 
 /// Start-up lists of the choices that are described, what to write in order, and the process data that

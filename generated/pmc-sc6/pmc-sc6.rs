@@ -24,8 +24,8 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
-    MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
-    Unmapped,
+    Carrier, MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx,
+    SyncManager, Tx, Unmapped,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{Angle, Scale, Unit};
@@ -4235,7 +4235,7 @@ pub mod double {
 
     impl ProcessImage for Outputs {
         const PDOS: &'static [MappedPdo] =
-            &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            &[::devc_runtime::pdo::of_axis::<RxPdo1600>(0), ::devc_runtime::pdo::of_axis::<RxPdo1600>(1)];
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
@@ -4304,7 +4304,7 @@ pub mod double {
 
     impl ProcessImage for Inputs {
         const PDOS: &'static [MappedPdo] =
-            &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            &[::devc_runtime::pdo::of_axis::<TxPdo1A00>(0), ::devc_runtime::pdo::of_axis::<TxPdo1A00>(1)];
     }
 
     /// What of the device bears on its bring-up, and on what process data it takes.
@@ -4320,7 +4320,7 @@ pub mod double {
         name: "PMC SC6/SI6 double-axis, CiA 402",
         member: 0,
         outputs: Some(SyncManager {
-            default: &[0x1600, 0x1601],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1600, 0x1601] }],
             assignable: false,
             slots: 2,
             max_size: Some(192),
@@ -4328,7 +4328,7 @@ pub mod double {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1A00, 0x1A01],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1A00, 0x1A01] }],
             assignable: false,
             slots: 2,
             max_size: Some(192),
@@ -4341,8 +4341,18 @@ pub mod double {
             AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
         ],
         cycles: &[
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
         ],
     };
 
@@ -4565,8 +4575,10 @@ pub mod double {
             }
 
             impl ProcessImage for Outputs {
-                const PDOS: &'static [MappedPdo] =
-                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+                const PDOS: &'static [MappedPdo] = &[
+                    ::devc_runtime::pdo::of_axis::<RxPdo1600>(0),
+                    ::devc_runtime::pdo::of_axis::<RxPdo1600>(1),
+                ];
             }
 
             /// What the device sends then.
@@ -4608,8 +4620,10 @@ pub mod double {
             }
 
             impl ProcessImage for Inputs {
-                const PDOS: &'static [MappedPdo] =
-                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+                const PDOS: &'static [MappedPdo] = &[
+                    ::devc_runtime::pdo::of_axis::<TxPdo1A00>(0),
+                    ::devc_runtime::pdo::of_axis::<TxPdo1A00>(1),
+                ];
             }
         }
 
@@ -4794,8 +4808,10 @@ pub mod double {
             }
 
             impl ProcessImage for Outputs {
-                const PDOS: &'static [MappedPdo] =
-                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+                const PDOS: &'static [MappedPdo] = &[
+                    ::devc_runtime::pdo::of_axis::<RxPdo1600>(0),
+                    ::devc_runtime::pdo::of_axis::<RxPdo1600>(1),
+                ];
             }
 
             /// What the device sends then.
@@ -4835,8 +4851,10 @@ pub mod double {
             }
 
             impl ProcessImage for Inputs {
-                const PDOS: &'static [MappedPdo] =
-                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+                const PDOS: &'static [MappedPdo] = &[
+                    ::devc_runtime::pdo::of_axis::<TxPdo1A00>(0),
+                    ::devc_runtime::pdo::of_axis::<TxPdo1A00>(1),
+                ];
             }
         }
     }
@@ -6519,7 +6537,7 @@ pub mod single {
     }
 
     impl ProcessImage for Outputs {
-        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+        const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1600>(0)];
     }
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
@@ -6572,7 +6590,7 @@ pub mod single {
     }
 
     impl ProcessImage for Inputs {
-        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+        const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<TxPdo1A00>(0)];
     }
 
     /// What of the device bears on its bring-up, and on what process data it takes.
@@ -6588,7 +6606,7 @@ pub mod single {
         name: "PMC SC6/SI6 single-axis, CiA 402",
         member: 1,
         outputs: Some(SyncManager {
-            default: &[0x1600],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1600] }],
             assignable: false,
             slots: 1,
             max_size: Some(192),
@@ -6596,7 +6614,7 @@ pub mod single {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1A00],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1A00] }],
             assignable: false,
             slots: 1,
             max_size: Some(192),
@@ -6606,8 +6624,18 @@ pub mod single {
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
         cycles: &[
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
         ],
     };
 
@@ -6781,7 +6809,7 @@ pub mod single {
             }
 
             impl ProcessImage for Outputs {
-                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+                const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1600>(0)];
             }
 
             /// What the device sends then.
@@ -6814,7 +6842,7 @@ pub mod single {
             }
 
             impl ProcessImage for Inputs {
-                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+                const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<TxPdo1A00>(0)];
             }
         }
 
@@ -6960,7 +6988,7 @@ pub mod single {
             }
 
             impl ProcessImage for Outputs {
-                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+                const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1600>(0)];
             }
 
             /// What the device sends then.
@@ -6993,7 +7021,7 @@ pub mod single {
             }
 
             impl ProcessImage for Inputs {
-                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+                const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<TxPdo1A00>(0)];
             }
         }
     }
@@ -7941,7 +7969,7 @@ pub mod double_hires {
         name: "PMC SC6/SI6 double-axis, CiA 402 HiRes Motion",
         member: 2,
         outputs: Some(SyncManager {
-            default: &[0x1600, 0x1601],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1600, 0x1601] }],
             assignable: false,
             slots: 2,
             max_size: Some(192),
@@ -7949,7 +7977,7 @@ pub mod double_hires {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1A00, 0x1A01],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1A00, 0x1A01] }],
             assignable: false,
             slots: 2,
             max_size: Some(192),
@@ -7962,8 +7990,18 @@ pub mod double_hires {
             AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
         ],
         cycles: &[
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
         ],
     };
 
@@ -8799,7 +8837,7 @@ pub mod single_hires {
         name: "PMC SC6/SI6 single-axis, CiA 402 HiRes Motion",
         member: 3,
         outputs: Some(SyncManager {
-            default: &[0x1600],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1600] }],
             assignable: false,
             slots: 1,
             max_size: Some(192),
@@ -8807,7 +8845,7 @@ pub mod single_hires {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1A00],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1A00] }],
             assignable: false,
             slots: 1,
             max_size: Some(192),
@@ -8817,8 +8855,18 @@ pub mod single_hires {
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
         cycles: &[
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
-            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
+            CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+                modes: &[],
+                pdos: &[],
+            },
         ],
     };
 

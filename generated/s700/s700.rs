@@ -22,8 +22,8 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
-    MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
-    Unmapped,
+    Carrier, MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx,
+    SyncManager, Tx, Unmapped,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
@@ -3703,7 +3703,7 @@ pub mod configurations {
         }
 
         impl ProcessImage for Outputs {
-            const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1600>(0)];
         }
 
         /// What the device sends then.
@@ -3736,7 +3736,7 @@ pub mod configurations {
         }
 
         impl ProcessImage for Inputs {
-            const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<TxPdo1A00>(0)];
         }
     }
 }
@@ -4601,7 +4601,7 @@ pub mod s300 {
     }
 
     impl ProcessImage for Outputs {
-        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1702>(0)];
+        const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1702>(0)];
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes (3.1, 3.5, 3.6).
@@ -4638,7 +4638,7 @@ pub mod s300 {
     }
 
     impl ProcessImage for Inputs {
-        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
+        const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<TxPdo1B01>(0)];
     }
 
     /// What of the device bears on its bring-up, and on what process data it takes (3.1, 3.5) (3.1, 3.5,
@@ -4653,7 +4653,7 @@ pub mod s300 {
         name: "S300",
         member: 0,
         outputs: Some(SyncManager {
-            default: &[0x1702],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1702] }],
             assignable: true,
             slots: 1,
             max_size: Some(64),
@@ -4661,7 +4661,7 @@ pub mod s300 {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1B01],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1B01] }],
             assignable: true,
             slots: 1,
             max_size: Some(72),
@@ -4671,9 +4671,14 @@ pub mod s300 {
         maps: true,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
         cycles: &[
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit {
+                least_ns: 250000,
+                choices_ns: &[],
+                modes: &[-6, 8],
+                pdos: &[0x1701, 0x170A, 0x1711],
+            },
+            CycleLimit { least_ns: 250000, choices_ns: &[], modes: &[-2, 9], pdos: &[0x1702, 0x1712] },
+            CycleLimit { least_ns: 250000, choices_ns: &[], modes: &[-3, 10], pdos: &[0x1703] },
         ],
     };
 
@@ -4717,7 +4722,7 @@ pub mod s300 {
             }
 
             impl ProcessImage for Outputs {
-                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+                const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1701>(0)];
             }
 
             /// As by default.
@@ -5389,7 +5394,7 @@ pub mod s400 {
     }
 
     impl ProcessImage for Outputs {
-        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+        const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<RxPdo1701>(0)];
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes (3.1, 3.5, 3.6).
@@ -5427,7 +5432,7 @@ pub mod s400 {
     }
 
     impl ProcessImage for Inputs {
-        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
+        const PDOS: &'static [MappedPdo] = &[::devc_runtime::pdo::of_axis::<TxPdo1B01>(0)];
     }
 
     /// What of the device bears on its bring-up, and on what process data it takes (3.1, 3.5) (3.1, 3.5,
@@ -5443,7 +5448,7 @@ pub mod s400 {
         name: "S400",
         member: 1,
         outputs: Some(SyncManager {
-            default: &[0x1701],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1701] }],
             assignable: true,
             slots: 1,
             max_size: Some(64),
@@ -5451,7 +5456,7 @@ pub mod s400 {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1B01],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1B01] }],
             assignable: true,
             slots: 1,
             max_size: Some(72),
@@ -5461,9 +5466,9 @@ pub mod s400 {
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
         cycles: &[
-            CycleLimit { least_ns: 1000000, choices_ns: &[] },
-            CycleLimit { least_ns: 500000, choices_ns: &[] },
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit { least_ns: 1000000, choices_ns: &[], modes: &[-6, 8], pdos: &[0x1701] },
+            CycleLimit { least_ns: 500000, choices_ns: &[], modes: &[-2, 9], pdos: &[0x1702] },
+            CycleLimit { least_ns: 250000, choices_ns: &[], modes: &[-3, 10], pdos: &[0x1703] },
         ],
     };
 
@@ -6060,7 +6065,7 @@ pub mod s600 {
         name: "S600",
         member: 2,
         outputs: Some(SyncManager {
-            default: &[0x1701],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1701] }],
             assignable: true,
             slots: 1,
             max_size: Some(64),
@@ -6068,7 +6073,7 @@ pub mod s600 {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1B01],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1B01] }],
             assignable: true,
             slots: 1,
             max_size: Some(72),
@@ -6078,9 +6083,9 @@ pub mod s600 {
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
         cycles: &[
-            CycleLimit { least_ns: 1000000, choices_ns: &[] },
-            CycleLimit { least_ns: 500000, choices_ns: &[] },
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit { least_ns: 1000000, choices_ns: &[], modes: &[-6, 8], pdos: &[0x1701] },
+            CycleLimit { least_ns: 500000, choices_ns: &[], modes: &[-2, 9], pdos: &[0x1702] },
+            CycleLimit { least_ns: 250000, choices_ns: &[], modes: &[-3, 10], pdos: &[0x1703] },
         ],
     };
 
@@ -6749,7 +6754,7 @@ pub mod s700 {
         name: "S700",
         member: 3,
         outputs: Some(SyncManager {
-            default: &[0x1702],
+            carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1702] }],
             assignable: true,
             slots: 1,
             max_size: Some(64),
@@ -6757,7 +6762,7 @@ pub mod s700 {
             exclusive: &[],
         }),
         inputs: Some(SyncManager {
-            default: &[0x1B01],
+            carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1B01] }],
             assignable: true,
             slots: 1,
             max_size: Some(72),
@@ -6767,9 +6772,14 @@ pub mod s700 {
         maps: true,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
         cycles: &[
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
-            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit {
+                least_ns: 250000,
+                choices_ns: &[],
+                modes: &[-6, 8],
+                pdos: &[0x1701, 0x170A, 0x1711],
+            },
+            CycleLimit { least_ns: 250000, choices_ns: &[], modes: &[-2, 9], pdos: &[0x1702, 0x1712] },
+            CycleLimit { least_ns: 250000, choices_ns: &[], modes: &[-3, 10], pdos: &[0x1703] },
         ],
     };
 

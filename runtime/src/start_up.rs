@@ -1,22 +1,21 @@
 //! Bring-up: what a master writes through the mailbox before it goes to Safe-Operational, as constant data.
 //!
-//! The order is that of ETG.1020: assignments are cleared before mappings change, and a count is written after what
-//! it counts. What the device does not let a master write is not in a list.
+//! Which writes there are, and in which order, says `devc-start-up`, as it does for the lists of a description. What the
+//! device does not let a master write is not in a list.
 
 mod bring_up;
-mod cycle;
-mod list;
 
 use core::fmt;
 
+use devc_start_up::{Choice, Interface, Period, Step};
+
 use crate::Family;
 use crate::object::Address;
-use crate::pdo::{Direction, MappedPdo, ProcessImage, Rx, Tx, refuse};
+use crate::pdo::{MappedPdo, ProcessImage, Rx, Tx, refuse};
 use crate::text::Text;
 
-pub use bring_up::{AxisObjects, BringUp};
-pub use cycle::CycleLimit;
-use list::List;
+pub use bring_up::BringUp;
+pub use devc_start_up::{AxisObjects, CycleLimit};
 
 /// A write through the mailbox: an SDO download on the way to process data.
 ///
@@ -56,6 +55,18 @@ impl Write {
         write
     }
 
+    const fn all<const N: usize>(steps: [Step; N]) -> [Self; N] {
+        let mut writes = [Self::new(Address::new(0, 0), &[], ""); N];
+        let (mut places, mut steps): (&mut [Self], &[Step]) = (&mut writes, &steps);
+        while let (Some((place, others)), Some((step, rest))) =
+            (places.split_first_mut(), steps.split_first())
+        {
+            *place = Self::new(step.address, step.data(), step.task.text());
+            (places, steps) = (others, rest);
+        }
+        writes
+    }
+
     /// The same at another change of the EtherCAT state.
     pub const fn during(mut self, transition: &'static str) -> Self {
         self.transition = transition;
@@ -90,16 +101,15 @@ impl fmt::Display for Write {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StartUp {
-    outputs: Option<&'static [MappedPdo]>,
-    inputs: Option<&'static [MappedPdo]>,
-    maps: bool,
-    axes: &'static [AxisObjects],
+    outputs: &'static [MappedPdo],
+    inputs: &'static [MappedPdo],
+    /// The device that the list is made for.
+    device: &'static BringUp,
     /// The devices that the choice may be for, and which of them take it, a bit each.
     devices: &'static [BringUp],
     takers: u64,
     mode: Option<i8>,
-    /// 0x60C2: a count of units of 10 to the power of the other, in seconds.
-    cycle: Option<(u8, i8)>,
+    cycle_ns: Option<u64>,
 }
 
 impl StartUp {
@@ -143,37 +153,46 @@ impl StartUp {
         if !device.takes::<O>() || !device.takes::<I>() {
             refuse(Text::new().text(device.name).text(" does not take these images"));
         }
-        let outputs = if device.is_assignable::<Rx>() { Some(O::PDOS) } else { None };
-        let inputs = if device.is_assignable::<Tx>() { Some(I::PDOS) } else { None };
         let devices = core::slice::from_ref(device);
-        let BringUp { maps, axes, .. } = *device;
-        Self { outputs, inputs, maps, axes, devices, takers: 1, mode: None, cycle: None }
+        let (outputs, inputs) = (O::PDOS, I::PDOS);
+        Self { outputs, inputs, device, devices, takers: 1, mode: None, cycle_ns: None }
     }
 
     /// With a mode of operation for each axis that has one.
-    pub const fn mode(mut self, mode: i8) -> Self {
-        self.mode = Some(mode);
-        self
+    #[track_caller]
+    pub const fn mode(self, mode: i8) -> Self {
+        Self { mode: Some(mode), ..self }.judged()
     }
 
     /// With a cycle time in nanoseconds, for each axis that has 0x60C2. That counts up to 255 of a power of ten of a second: a
-    /// time that it cannot hold does not compile, nor does one that one of the devices does not take.
+    /// time that it cannot hold does not compile, nor does one that one of the devices does not take in this mode or, if none
+    /// is chosen, with these PDOs.
     #[track_caller]
-    pub const fn cycle_ns<const NS: u64>(mut self) -> Self {
+    pub const fn cycle_ns<const NS: u64>(self) -> Self {
+        if Period::of_ns(NS).is_none() {
+            refuse(Text::new().text("the cycle time is not up to 255 of a power of ten of a second"));
+        }
+        Self { cycle_ns: Some(NS), ..self }.judged()
+    }
+
+    /// The same, if each device takes the cycle time.
+    #[track_caller]
+    const fn judged(self) -> Self {
+        let Some(ns) = self.cycle_ns else { return self };
+        let interface = Interface { mode: self.mode, pdos: [self.outputs, self.inputs] };
         let (mut devices, mut takers) = (self.devices, self.takers);
         while let Some((device, rest)) = devices.split_first() {
-            if takers & 1 == 1 && !CycleLimit::any_takes(device.cycles, NS) {
+            if takers & 1 == 1 && !interface.takes(device.cycles, ns) {
                 refuse(Text::new().text(device.name).text(" does not take this cycle time"));
             }
             (devices, takers) = (rest, takers >> 1);
         }
-        self.cycle = Some(const { period(NS) });
         self
     }
 
     /// The number of writes.
     pub const fn len(&self) -> usize {
-        self.list::<0>(true).length
+        self.choice().steps(&mut [])
     }
 
     /// Whether there is nothing to be written.
@@ -183,50 +202,31 @@ impl StartUp {
 
     /// The writes, in order; `N` is [`len`](Self::len).
     pub const fn writes<const N: usize>(&self) -> [Write; N] {
-        self.list(true).writes
+        let mut steps = [Step::NONE; N];
+        self.choice().steps(&mut steps);
+        Write::all(steps)
     }
 
     /// The number of values to read back.
     pub const fn verify_len(&self) -> usize {
-        self.list::<0>(false).length
+        self.choice().lasting(&mut [])
     }
 
     /// What is there once all is written, to be read back: the writes without those that later ones supersede; `N` is
     /// [`verify_len`](Self::verify_len).
     pub const fn verify<const N: usize>(&self) -> [Write; N] {
-        self.list(false).writes
+        let mut steps = [Step::NONE; N];
+        self.choice().lasting(&mut steps);
+        Write::all(steps)
     }
 
-    const fn list<const N: usize>(&self, clears: bool) -> List<N> {
-        let assignments = [(Rx::ASSIGNMENT, self.outputs), (Tx::ASSIGNMENT, self.inputs)];
-        let [(outputs, output_pdos), (inputs, input_pdos)] = assignments;
-        let mut list = List::new(clears);
-        if output_pdos.is_some() {
-            list = list.clear(outputs, "clear the assignment of outputs");
-        }
-        if input_pdos.is_some() {
-            list = list.clear(inputs, "clear the assignment of inputs");
-        }
-        if self.maps {
-            list = list.mappings(input_pdos).mappings(output_pdos);
-        }
-        list = list.assignment(outputs, output_pdos).assignment(inputs, input_pdos);
-        let mut axes = self.axes;
-        while let Some((axis, rest)) = axes.split_first() {
-            list = list.axis(axis, self.mode, self.cycle);
-            axes = rest;
-        }
-        list
+    const fn choice(&self) -> Choice<'static> {
+        let Self { outputs, inputs, device, mode, .. } = *self;
+        let cycle = match self.cycle_ns {
+            Some(ns) => Period::of_ns(ns),
+            None => None,
+        };
+        let (outputs, inputs) = (device.way::<Rx>(outputs), device.way::<Tx>(inputs));
+        Choice { outputs, inputs, axes: device.axes, mode, cycle }
     }
-}
-
-/// The count and the power of ten in seconds: the largest unit in which the time is a whole number.
-const fn period(ns: u64) -> (u8, i8) {
-    let (mut count, mut exponent) = (ns, -9);
-    while count != 0 && count.is_multiple_of(10) && (exponent < -3 || count > 255) {
-        count /= 10;
-        exponent += 1;
-    }
-    assert!(count != 0 && count <= 255, "the cycle time is not up to 255 of a power of ten of a second");
-    (count as u8, exponent)
 }

@@ -1,7 +1,9 @@
 //! Axes, and how they share the dictionary.
 
+use devc_start_up::AxisObjects;
+
 use super::table::table;
-use super::{Index, Source, model};
+use super::{Index, Object, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -56,5 +58,21 @@ table! {
         pub name: String,
         /// What the objects in it are for.
         pub about: Option<String>,
+    }
+}
+
+impl Axis {
+    /// What a master sets once on each axis, where it does anything.
+    pub(crate) fn set_objects(axes: &[Axis], objects: &[Object]) -> Vec<AxisObjects> {
+        let of = |leading: u16| -> Vec<&Object> {
+            let objects = objects.iter().filter(|object| object.leading == Index(leading));
+            objects.filter(|object| object.functional).collect()
+        };
+        let (modes, cycles) = (of(0x6060), of(0x60C2));
+        let on = |axis: &Axis, objects: &[&Object]| {
+            let object = objects.iter().find(|object| object.axis.unwrap_or_default() == axis.number);
+            object.map(|object| object.index.0)
+        };
+        axes.iter().map(|axis| AxisObjects { mode: on(axis, &modes), cycle: on(axis, &cycles) }).collect()
     }
 }

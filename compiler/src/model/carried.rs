@@ -7,8 +7,8 @@ use super::{Device, Direction, Index, Role};
 /// What a device lets a master assign to a direction of its process data.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Carried {
-    /// The PDOs that are assigned if nobody changes it.
-    pub default: Vec<Index>,
+    /// The assignment object of each sync manager, with the PDOs that are assigned to it if nobody changes it.
+    pub carriers: Vec<(Index, Vec<Index>)>,
     /// Whether a master may write the assignment object.
     pub assignable: bool,
     /// The largest number of PDOs at once.
@@ -31,7 +31,7 @@ impl Device {
             .flat_map(|pdo| pdo.excludes.iter().map(|other| [pdo.index.min(*other), pdo.index.max(*other)]))
             .collect();
         Some(Carried {
-            default: managers().flat_map(|manager| &manager.pdos).copied().collect(),
+            carriers: managers().map(|manager| (manager.assignment(), manager.pdos.clone())).collect(),
             assignable: self.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_assign),
             slots: managers().fold(0, |sum, manager| sum.saturating_add(manager.slots)),
             max_size: managers().try_fold(0_u16, |sum, manager| Some(sum.saturating_add(manager.max_size?))),

@@ -1,5 +1,6 @@
 //! Single values that TOML has no type of its own for.
 
+use devc_start_up::Period;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 
@@ -111,15 +112,9 @@ impl<'de> Deserialize<'de> for Fraction {
 pub struct Duration(pub u64);
 
 impl Duration {
-    /// The time as 0x60C2 holds it (CiA 402, interpolation time period): a count and the power of ten in seconds that it
-    /// counts, the largest up to a millisecond in which it is a whole number, or a larger one if the count needs it.
-    pub fn interpolation(self) -> Option<(u8, i8)> {
-        let (mut count, mut exponent) = (self.0, -9_i8);
-        while count != 0 && count.is_multiple_of(10) && (exponent < -3 || count > 255) {
-            count /= 10;
-            exponent += 1;
-        }
-        u8::try_from(count).ok().filter(|count| *count > 0).map(|count| (count, exponent))
+    /// The time as 0x60C2 holds it, if it can.
+    pub fn interpolation(self) -> Option<Period> {
+        Period::of_ns(self.0)
     }
 }
 

@@ -112,7 +112,7 @@ pub use state::{
 pub use symbol::{Dimension, SYMBOLS, Symbol, dimensions};
 pub use table::Table;
 use table::table;
-pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal, Timeouts};
+pub use timing::{CycleTime, DeadTime, LimitedUse, SyncMode, SyncSignal, Timeouts};
 pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use devc_start_up::Mapping;
+
 use super::table::part;
 use super::{Address, DataType, Index, Source, Translations, model};
 use crate::source::{Location, Origin};
@@ -129,5 +131,18 @@ impl Pdo {
     /// The width in whole bytes.
     pub fn bytes(&self) -> u32 {
         self.bits().div_ceil(8)
+    }
+}
+
+impl Mapped {
+    /// The entry as a mapping object has it.
+    pub(crate) fn mapping(&self) -> Mapping {
+        let [bits, ..] = self.bits.to_le_bytes();
+        match self.address {
+            Some(Address { index, subindex }) => {
+                Mapping { address: devc_start_up::Address::new(index.0, subindex), bits }
+            }
+            None => Mapping::gap(bits),
+        }
     }
 }

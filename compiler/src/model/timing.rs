@@ -1,7 +1,9 @@
 //! Time.
 
+use devc_start_up::{CycleLimit, Interface, MappedPdo};
+
 use super::table::{part, table};
-use super::{Delay, Duration, ModeManagers};
+use super::{Configuration, Delay, Device, Direction, Duration, ModeManagers, Role};
 
 table! {
     /// `[sync-modes.<id>]`: a way to keep time with the master.
@@ -40,6 +42,9 @@ table! {
         /// The cycles that can be chosen, if only some.
         #[serde(default, rename(serialize = "choices_ns"))]
         pub choices: Vec<Duration>,
+        /// The modes of operation that the limit holds for; all that have no limit of their own if absent.
+        #[serde(default)]
+        pub modes: Vec<i16>,
         /// What else is to be said.
         pub about: Option<String>,
     }
@@ -102,4 +107,55 @@ part! {
 
 fn one() -> i32 {
     1
+}
+
+/// What a limit of cycle times holds for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LimitedUse {
+    /// The modes of operation, by all of their codes; all modes that have no limit of their own if there are none.
+    pub modes: Vec<i8>,
+    /// The PDOs that are meant for them, by index.
+    pub pdos: Vec<u16>,
+}
+
+impl Device {
+    /// What a limit of its cycle times holds for.
+    pub fn limited_use(&self, limit: &CycleTime) -> LimitedUse {
+        let others = |code: i16| {
+            let mode = self.modes.iter().find(move |mode| mode.code == code || mode.aliases.contains(&code));
+            mode.into_iter().flat_map(|mode| mode.aliases.iter().copied().chain([mode.code]))
+        };
+        let mut modes: Vec<i16> = limit.modes.iter().flat_map(|code| others(*code).chain([*code])).collect();
+        modes.sort_unstable();
+        modes.dedup();
+        let pdos = self.pdos.iter().filter(|pdo| pdo.mode.is_some_and(|mode| modes.contains(&mode)));
+        let pdos = pdos.map(|pdo| pdo.index.0).collect();
+        LimitedUse { modes: modes.into_iter().filter_map(|mode| i8::try_from(mode).ok()).collect(), pdos }
+    }
+
+    /// Whether it takes a cycle time in a configuration.
+    pub fn takes_cycle(&self, configuration: &Configuration, time: Duration) -> bool {
+        let limits: Vec<_> = self.cycle_times.iter().map(|limit| (limit, self.limited_use(limit))).collect();
+        let choices: Vec<Vec<u64>> =
+            limits.iter().map(|(limit, _)| limit.choices.iter().map(|choice| choice.0).collect()).collect();
+        let limits = limits.iter().zip(&choices).map(|((limit, holds_for), choices_ns)| CycleLimit {
+            least_ns: limit.min.map_or(0, |min| min.0),
+            choices_ns,
+            modes: &holds_for.modes,
+            pdos: &holds_for.pdos,
+        });
+        let [outputs, inputs] = [Direction::Rx, Direction::Tx].map(|way| self.pdos_in(configuration, way));
+        let mode = configuration.mode.and_then(|mode| i8::try_from(mode).ok());
+        let interface = Interface { mode, pdos: [&outputs, &inputs] };
+        interface.takes(&limits.collect::<Vec<_>>(), time.0)
+    }
+
+    /// The PDOs that are assigned in a configuration.
+    fn pdos_in(&self, configuration: &Configuration, way: Direction) -> Vec<MappedPdo<'static>> {
+        let pdo = |index: u16| MappedPdo::new(index, &[]);
+        match configuration.assigned(way) {
+            Some(pdos) => pdos.iter().map(|index| pdo(index.0)).collect(),
+            None => self.assigned(Role::of(way)).map(|it| pdo(it.index.0)).collect(),
+        }
+    }
 }

@@ -38,7 +38,7 @@ fn sized(text: &str) -> Option<DataType> {
     let (name, length) = text.strip_suffix(')')?.split_once('(')?;
     let length = length.parse::<u16>().ok()?;
     match name {
-        "STRING" => Some(DataType::Text(length)),
+        "STRING" if length > 0 => Some(DataType::Text(length)),
         "OCTET_STRING" if length > 0 => Some(DataType::Octets(length)),
         "UNICODE_STRING" if (1..=0x7FFF).contains(&length) => Some(DataType::Unicode(length)),
         _ if (1..=0x3FFF).contains(&length) => {

@@ -10,6 +10,7 @@ use super::{RawDevice, errata, like, misplaced};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::model::Index;
 use crate::source::{Document, Key, Node, Sources, Table, Value, keys};
+use crate::text::files;
 
 /// A device as it is written, and as it holds.
 #[derive(Debug)]
@@ -88,6 +89,7 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
     if !Room::new().take(&shared, members.members.len(), at, diagnostics) {
         return Vec::new();
     }
+    names(&members, diagnostics);
     let trees = members.members.iter().filter_map(|member| {
         let own = table_of(&member.node, diagnostics)?;
         diagnostics.extend(own.get("lints").map(|lints| shared_only(&lints.key)));
@@ -100,6 +102,24 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
         Some((member.key.name.to_string(), tree, removed))
     });
     trees.collect()
+}
+
+/// Some outputs are a file of each member, which has its name.
+fn names(members: &Table, diagnostics: &mut Diagnostics) {
+    let mut known: BTreeMap<String, &Key> = BTreeMap::new();
+    for member in &members.members {
+        let key = &member.key;
+        if let Some(fault) = files::fault(&key.name) {
+            let message = format!("{:?} cannot be the name of a member: {fault}", key.name);
+            let fault = Diagnostic::new(&faults::INVALID_VALUE, message, key.at, "no name of a file");
+            diagnostics.push(fault.note("outputs that are a file of each member take their names from it"));
+        } else if let Some(other) = known.insert(key.name.to_lowercase(), key) {
+            let message = format!("`{}` and `{}` differ in case only", other.name, key.name);
+            let fault = Diagnostic::new(&faults::INVALID_VALUE, message, key.at, "one name on some systems");
+            let fault = fault.label(other.at, "the other member");
+            diagnostics.push(fault.note("outputs that are a file of each member take their names from it"));
+        }
+    }
 }
 
 fn table_of(node: &Node, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {

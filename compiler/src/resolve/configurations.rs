@@ -2,7 +2,8 @@
 
 use super::context::Context;
 use super::derived::Basis;
-use super::{mapped, objects, pdos, startup, values};
+use super::startup::StartUp;
+use super::{mapped, objects, pdos, values};
 use crate::diagnostic::faults;
 use crate::model::{ChosenWrite, Configuration, DataType, Direction, Index, Object, Pdo, SdoWrite, Value};
 use crate::raw::{RawConfiguration, RawMapped, RawWrite};
@@ -15,7 +16,8 @@ pub(super) fn configurations(
     objects: &[Object],
     basis: &Basis<'_>,
 ) -> Vec<Configuration> {
-    raw.into_iter().map(|raw| configuration(context, raw, objects, basis)).collect()
+    let start_up = StartUp::of(&context.axes, objects, basis);
+    raw.into_iter().map(|raw| configuration(context, raw, objects, basis, &start_up)).collect()
 }
 
 fn configuration(
@@ -23,6 +25,7 @@ fn configuration(
     raw: RawConfiguration,
     objects: &[Object],
     basis: &Basis<'_>,
+    start_up: &StartUp<'_>,
 ) -> Configuration {
     let RawConfiguration {
         key: id,
@@ -60,8 +63,7 @@ fn configuration(
         source,
         origin,
     };
-    configuration.startup =
-        startup::startup(context, &configuration, objects, basis.mailbox, basis.sync_managers);
+    configuration.startup = start_up.list(&configuration);
     configuration
 }
 

@@ -2,7 +2,7 @@
 
 use super::entries::plain;
 use super::objects::Described;
-use super::{capacity, overlay, startup};
+use super::{capacity, overlay};
 use crate::model::{
     Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Mapped, Object, Pdo, Role,
     SyncManager, Translations, Value, WriteWindow,
@@ -116,7 +116,7 @@ fn mapping(pdo: &Pdo, objects: &[Object], basis: &Basis<'_>) -> Object {
     let places = 1..=capacity::entries(pdo, objects, carried(pdo.direction, basis));
     let values = places.map(|place| {
         let entry = pdo.entries.get(place - 1);
-        (name(place, entry), entry.map_or(0, startup::word))
+        (name(place, entry), entry.map_or(0, |entry| entry.mapping().word()))
     });
     let entries = entries(pdo.index, DataType::Uint(32), pdo.entries.len(), values, access, &pdo.origin);
     let kind = match pdo.direction {

@@ -1,126 +1,122 @@
 //! The writes through the mailbox that bring a configuration about.
 //!
-//! The order is the one that ETG.1020 asks for: assignments are cleared before mappings change, and a count
-//! is written after what it counts. What the mailbox does not let a master write is not in it. Other values come in
-//! front if they are written on the way to Pre-Operational, else behind.
+//! Which they are, and in which order, says `devc-start-up`; what the mailbox does not let a master write is not in it. Other
+//! values come in front if they are written on the way to Pre-Operational, else behind.
 
-use super::context::Context;
-use super::objects;
+use std::collections::BTreeMap;
+
+use devc_start_up::{AxisObjects, Carrier, Choice, MappedPdo, Mapping, Step, Task, Way};
+
+use super::derived::Basis;
 use crate::model::{
-    Address, Configuration, Direction, Duration, Index, Mailbox, Mapped, Object, Pdo, Role, SdoWrite,
-    SyncManager,
+    Address, Axis, Configuration, Direction, Index, Mapped, Object, Role, SdoWrite, SyncManager,
 };
 
-/// The start-up list of a configuration, in order.
-pub(super) fn startup(
-    context: &Context<'_>,
-    configuration: &Configuration,
-    objects: &[Object],
-    mailbox: Option<&Mailbox>,
-    managers: &[SyncManager],
-) -> Vec<SdoWrite> {
-    let assigns = mailbox.is_none_or(|mailbox| mailbox.pdo_assign);
-    let maps = mailbox.is_none_or(|mailbox| mailbox.pdo_config);
-    let mut chosen = Vec::new();
-    if assigns {
-        chosen.extend(by_manager(Role::Outputs, configuration.outputs.as_deref(), managers));
-        chosen.extend(by_manager(Role::Inputs, configuration.inputs.as_deref(), managers));
+/// What of a device bears on its start-up lists.
+pub(super) struct StartUp<'a> {
+    assigns: bool,
+    maps: bool,
+    managers: &'a [SyncManager],
+    axes: Vec<AxisObjects>,
+}
+
+/// What is chosen of a direction.
+struct Chosen<'a> {
+    managers: Vec<(u16, Vec<u16>)>,
+    mapped: Vec<(u16, Vec<Mapping>)>,
+    assigned: Option<&'a [Index]>,
+}
+
+impl<'a> StartUp<'a> {
+    pub(super) fn of(axes: &[Axis], objects: &[Object], basis: &Basis<'a>) -> Self {
+        Self {
+            assigns: basis.mailbox.is_none_or(|mailbox| mailbox.pdo_assign),
+            maps: basis.mailbox.is_none_or(|mailbox| mailbox.pdo_config),
+            managers: basis.sync_managers,
+            axes: Axis::set_objects(axes, objects),
+        }
     }
-    let mut writes: Vec<SdoWrite> =
-        chosen.iter().map(|(index, _)| count(*index, 0, format!("clear the assignment {index}"))).collect();
-    if maps {
-        writes.extend(of(configuration, Direction::Tx).flat_map(mapping));
-        writes.extend(of(configuration, Direction::Rx).flat_map(mapping));
+
+    /// The start-up list of a configuration, in order.
+    pub(super) fn list(&self, configuration: &Configuration) -> Vec<SdoWrite> {
+        let [outputs, inputs] = [Direction::Rx, Direction::Tx].map(|way| self.chosen(configuration, way));
+        let steps = outputs.way(|outputs| inputs.way(|inputs| self.steps(configuration, outputs, inputs)));
+        let names = Names::of(configuration);
+        let steps = steps.iter().map(|step| names.write(step));
+        let others = |is_first: bool| {
+            let others = configuration.writes.iter().map(|chosen| chosen.write.clone());
+            others.filter(move |write| (write.transition == "IP") == is_first)
+        };
+        others(true).chain(steps).chain(others(false)).collect()
     }
-    writes.extend(chosen.iter().flat_map(|(index, pdos)| assignment(*index, pdos)));
-    for axis in &context.axes {
-        writes.extend(mode(configuration, on_axis(context, objects, "0x6060", axis.number)));
-        writes.extend(cycle(configuration, on_axis(context, objects, "0x60C2", axis.number)));
+
+    fn steps(&self, configuration: &Configuration, outputs: Way<'_>, inputs: Way<'_>) -> Vec<Step> {
+        let mode = configuration.mode.and_then(|mode| i8::try_from(mode).ok());
+        let cycle = configuration.cycle_time.and_then(|time| time.interpolation());
+        let choice = Choice { outputs, inputs, axes: &self.axes, mode, cycle };
+        let mut steps = vec![Step::NONE; choice.steps(&mut [])];
+        choice.steps(&mut steps);
+        steps
     }
-    let chosen = |is_first: bool| {
-        let chosen = configuration.writes.iter().map(|chosen| chosen.write.clone());
-        chosen.filter(move |write| (write.transition == "IP") == is_first)
-    };
-    chosen(true).chain(writes).chain(chosen(false)).collect()
+
+    fn chosen<'c>(&self, configuration: &'c Configuration, way: Direction) -> Chosen<'c> {
+        let managers = self.managers.iter().filter(|manager| manager.role == Role::of(way));
+        let pdos = |manager: &SyncManager| manager.pdos.iter().map(|pdo| pdo.0).collect();
+        let mut managers: Vec<_> = managers.map(|manager| (manager.assignment().0, pdos(manager))).collect();
+        if managers.is_empty() {
+            managers.push((usual(way), Vec::new()));
+        }
+        let mapped = configuration.mapping.iter().filter(|pdo| self.maps && pdo.direction == way);
+        let mapped = mapped.map(|pdo| (pdo.index.0, pdo.entries.iter().map(Mapped::mapping).collect()));
+        let assigned = configuration.assigned(way).filter(|_| self.assigns);
+        Chosen { managers, mapped: mapped.collect(), assigned }
+    }
 }
 
-/// The chosen PDOs of a direction by the assignment object of their sync manager: the one that carries them by default,
-/// or the first.
-fn by_manager(role: Role, chosen: Option<&[Index]>, managers: &[SyncManager]) -> Vec<(Index, Vec<Index>)> {
-    let Some(chosen) = chosen else { return Vec::new() };
-    let of_role: Vec<&SyncManager> = managers.iter().filter(|manager| manager.role == role).collect();
-    let usual = match role {
-        Role::Inputs => Index(0x1C13),
-        _ => Index(0x1C12),
-    };
-    let Some(first) = of_role.first() else { return vec![(usual, chosen.to_vec())] };
-    let carrier = |pdo: &Index| of_role.iter().find(|manager| manager.pdos.contains(pdo)).unwrap_or(first);
-    let split = of_role.iter().map(|manager| {
-        let pdos = chosen.iter().filter(|pdo| carrier(pdo).number == manager.number);
-        (manager.assignment(), pdos.copied().collect())
-    });
-    split.collect()
+/// The assignment object of a direction in a device that tells of no sync manager.
+fn usual(way: Direction) -> u16 {
+    match way {
+        Direction::Rx => 0x1C12,
+        Direction::Tx => 0x1C13,
+    }
 }
 
-/// Where an object lies on an axis, if it does anything there.
-fn on_axis(context: &Context<'_>, objects: &[Object], text: &str, axis: u8) -> Option<Index> {
-    let address = context.names.find(text).ok()?;
-    let index = context.on_axis(address, Some(axis)).index;
-    objects::at(objects, index).filter(|object| object.functional).map(|object| object.index)
+impl Chosen<'_> {
+    fn way<T>(&self, then: impl FnOnce(Way<'_>) -> T) -> T {
+        let carriers = self.managers.iter();
+        let carriers: Vec<_> =
+            carriers.map(|(assignment, pdos)| Carrier { assignment: *assignment, pdos }).collect();
+        let mapped: Vec<_> = self.mapped.iter().map(|(index, it)| MappedPdo::own(*index, it)).collect();
+        let assigned: Option<Vec<_>> =
+            self.assigned.map(|pdos| pdos.iter().map(|pdo| MappedPdo::new(pdo.0, &[])).collect());
+        then(Way { carriers: &carriers, mapped: &mapped, assigned: assigned.as_deref() })
+    }
 }
 
-fn of(configuration: &Configuration, direction: Direction) -> impl Iterator<Item = &Pdo> {
-    configuration.mapping.iter().filter(move |pdo| pdo.direction == direction)
-}
+/// The names of what is mapped, by the mapping object and its subindex.
+struct Names<'a>(BTreeMap<(u16, u8), &'a str>);
 
-fn write(index: Index, subindex: u8, data: Vec<u8>, comment: String) -> SdoWrite {
-    let address = Address { index, subindex };
-    SdoWrite { transition: "PS".to_owned(), address, data, comment }
-}
+impl<'a> Names<'a> {
+    fn of(configuration: &'a Configuration) -> Self {
+        let entries = configuration.mapping.iter().flat_map(|pdo| {
+            let numbered = (1..=u8::MAX).zip(&pdo.entries);
+            numbered.map(move |(subindex, entry)| ((pdo.index.0, subindex), entry.name.as_str()))
+        });
+        Self(entries.collect())
+    }
 
-fn count(index: Index, count: u8, comment: String) -> SdoWrite {
-    write(index, 0, vec![count], comment)
-}
-
-fn mapping(pdo: &Pdo) -> Vec<SdoWrite> {
-    let mut writes = vec![count(pdo.index, 0, format!("clear the mapping of {}", pdo.index))];
-    let numbered = (1..=u8::MAX).zip(&pdo.entries);
-    writes.extend(numbered.map(|(subindex, entry)| {
-        write(pdo.index, subindex, word(entry).to_le_bytes().to_vec(), format!("map {}", entry.name))
-    }));
-    let used = u8::try_from(pdo.entries.len()).unwrap_or(u8::MAX);
-    writes.push(count(pdo.index, used, format!("number of entries of {}", pdo.index)));
-    writes
-}
-
-/// What a mapping object holds for an entry: index, subindex, width.
-pub(super) fn word(entry: &Mapped) -> u32 {
-    let place = entry
-        .address
-        .map_or(0, |Address { index, subindex }| u32::from(index.0) << 16 | u32::from(subindex) << 8);
-    place | (entry.bits & 0xFF)
-}
-
-fn assignment(index: Index, pdos: &[Index]) -> Vec<SdoWrite> {
-    let numbered = (1..=u8::MAX).zip(pdos);
-    let mut writes: Vec<SdoWrite> = numbered
-        .map(|(subindex, pdo)| write(index, subindex, pdo.0.to_le_bytes().to_vec(), format!("assign {pdo}")))
-        .collect();
-    let used = u8::try_from(pdos.len()).unwrap_or(u8::MAX);
-    writes.push(count(index, used, format!("number of PDOs in {index}")));
-    writes
-}
-
-fn mode(configuration: &Configuration, index: Option<Index>) -> Option<SdoWrite> {
-    let mode = i8::try_from(configuration.mode?).ok()?;
-    Some(write(index?, 0, mode.to_le_bytes().to_vec(), "mode of operation".to_owned()))
-}
-
-fn cycle(configuration: &Configuration, index: Option<Index>) -> Vec<SdoWrite> {
-    let time = configuration.cycle_time.and_then(Duration::interpolation);
-    let (Some((count, exponent)), Some(index)) = (time, index) else { return Vec::new() };
-    vec![
-        write(index, 1, vec![count], "interpolation time period".to_owned()),
-        write(index, 2, exponent.to_le_bytes().to_vec(), "its power of ten in seconds".to_owned()),
-    ]
+    fn write(&self, step: &Step) -> SdoWrite {
+        let devc_start_up::Address { index, subindex } = step.address;
+        let comment = match (step.task, step.data()) {
+            (Task::ClearAssignment, _) => format!("clear the assignment {}", Index(index)),
+            (Task::ClearMapping, _) => format!("clear the mapping of {}", Index(index)),
+            (Task::Map, _) => format!("map {}", self.0.get(&(index, subindex)).unwrap_or(&"an entry")),
+            (Task::CountEntries, _) => format!("number of entries of {}", Index(index)),
+            (Task::Assign, [low, high]) => format!("assign {}", Index(u16::from_le_bytes([*low, *high]))),
+            (Task::CountPdos, _) => format!("number of PDOs in {}", Index(index)),
+            (task, _) => task.text().to_owned(),
+        };
+        let address = Address { index: Index(index), subindex };
+        SdoWrite { transition: "PS".to_owned(), address, data: step.data().to_vec(), comment }
+    }
 }

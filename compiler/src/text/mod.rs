@@ -3,6 +3,7 @@
 //! This is the lowest room of the house: messages point into texts, and to read a description is to make messages.
 
 pub mod characters;
+pub mod files;
 mod lines;
 pub(crate) mod near;
 

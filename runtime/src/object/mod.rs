@@ -1,7 +1,6 @@
 //! Objects of the dictionary as a master sees them (CiA 301, object dictionary).
 
 mod access;
-mod address;
 mod entry;
 mod measured;
 mod value;
@@ -9,7 +8,7 @@ mod width;
 mod word;
 
 pub use access::{Constant, Marker, ReadOnly, ReadWrite, Readable, Writable, WriteOnly};
-pub use address::Address;
+pub use devc_start_up::Address;
 pub use entry::Entry;
 pub use value::Value;
 pub use width::{

@@ -46,7 +46,24 @@ where
     P::Device: SameDevice<First::Device>,
     P::Direction: SameDirection<First::Direction>,
 {
-    MappedPdo::of_axis::<P>(axis)
+    of_axis::<P>(axis)
+}
+
+/// The PDO of an axis, by number; refuses an axis that has none, so it is for constants.
+#[track_caller]
+pub const fn of_axis<P: Pdo>(axis: u8) -> MappedPdo {
+    match P::ALL.split_at_checked(axis as usize) {
+        Some((_, [pdo, ..])) => MappedPdo { members: P::MEMBERS, ..*pdo },
+        _ => refuse(
+            Text::new()
+                .text("there is no axis ")
+                .number(axis as usize)
+                .text(": ")
+                .hex(P::INDEX)
+                .text(" is that of the first of ")
+                .number(P::ALL.len()),
+        ),
+    }
 }
 
 /// Refuses a field of an image that cannot be together with what is before it: `at` is its place among the PDOs.

@@ -17,7 +17,6 @@ pub mod ethercrab;
 mod image;
 mod in_place;
 mod mapping;
-mod members;
 #[cfg(not(feature = "ethercrab"))]
 mod no_ethercrab;
 mod own;
@@ -27,11 +26,11 @@ mod sync_manager;
 pub use data::ProcessData;
 #[cfg(feature = "derive")]
 pub use devc_macros::{Pdo, ProcessImage};
+pub use devc_start_up::{Carrier, Mapping, Members};
 pub use direction::{Direction, Rx, Tx};
 pub(crate) use image::refuse;
-pub use image::{ProcessImage, SameDevice, SameDirection, check_image, check_pdo, selected};
+pub use image::{ProcessImage, SameDevice, SameDirection, check_image, check_pdo, of_axis, selected};
 pub use in_place::{InPlace, View, ViewMut};
-pub use mapping::{MappedPdo, Mapping, Pdo};
-pub use members::Members;
+pub use mapping::{MappedPdo, Pdo};
 pub use own::{MappingObject, MapsTo, RxTx, Unmapped, check_entry, check_mapping, mapped, own};
 pub use sync_manager::SyncManager;

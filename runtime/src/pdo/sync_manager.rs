@@ -1,13 +1,13 @@
 //! What a sync manager takes.
 
-use super::MappedPdo;
+use super::{Carrier, MappedPdo};
 use crate::text::Text;
 
-/// What may be assigned to a sync manager (ETG.1000.6, sync manager PDO assignment).
+/// What may be assigned to the sync managers of a direction (ETG.1000.6, sync manager PDO assignment).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SyncManager {
-    /// The PDOs that are assigned if nobody changes it, by index.
-    pub default: &'static [u16],
+    /// The sync managers, one in most devices, with what is assigned to each if nobody changes it.
+    pub carriers: &'static [Carrier<'static>],
     /// Whether a master may write the assignment object.
     pub assignable: bool,
     /// The largest number of PDOs at once.
@@ -44,9 +44,14 @@ impl SyncManager {
     /// What is wrong with an image of PDOs as a whole, if anything is.
     pub(crate) const fn image_fault(&self, pdos: &[MappedPdo], bytes: usize) -> Option<Text> {
         let (count, slots) = (pdos.len(), self.slots as usize);
-        if !self.assignable && !is_default(self.default, pdos) {
+        if !self.assignable && !is_default(self.carriers, pdos) {
             let text = Text::new().text("the device does not let its assignment be changed: it is ");
-            return Some(text.list(self.default));
+            let (mut text, mut carriers, mut between) = (text, self.carriers, "");
+            while let Some((carrier, rest)) = carriers.split_first() {
+                text = text.text(between).list(carrier.pdos);
+                (carriers, between) = (rest, ", ");
+            }
+            return Some(text);
         }
         if count > slots {
             let text = Text::new().number(count).text(" PDOs are in the image, the device takes ");
@@ -89,12 +94,16 @@ const fn has_pair(mut pairs: &[[u16; 2]], one: u16, other: u16) -> bool {
     false
 }
 
-const fn is_default(mut default: &[u16], mut pdos: &[MappedPdo]) -> bool {
-    while let (Some((index, others)), Some((pdo, rest))) = (default.split_first(), pdos.split_first()) {
-        if *index != pdo.index {
-            return false;
+const fn is_default(mut carriers: &[Carrier<'_>], mut pdos: &[MappedPdo]) -> bool {
+    while let Some((carrier, rest)) = carriers.split_first() {
+        let mut default = carrier.pdos;
+        while let Some((index, others)) = default.split_first() {
+            match pdos.split_first() {
+                Some((pdo, rest)) if pdo.index == *index => (default, pdos) = (others, rest),
+                _ => return false,
+            }
         }
-        (default, pdos) = (others, rest);
+        carriers = rest;
     }
-    default.is_empty() && pdos.is_empty()
+    pdos.is_empty()
 }

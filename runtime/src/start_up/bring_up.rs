@@ -1,6 +1,7 @@
 //! What of a device bears on its bring-up.
 
-use super::CycleLimit;
+use devc_start_up::{AxisObjects, CycleLimit, Way};
+
 use crate::pdo::{Direction, MappedPdo, ProcessImage, Rx, SyncManager};
 use crate::text::Text;
 
@@ -20,16 +21,7 @@ pub struct BringUp {
     /// The objects of each axis that does something with them.
     pub axes: &'static [AxisObjects],
     /// The cycle times that the device takes, for one use or another; any if none are told.
-    pub cycles: &'static [CycleLimit],
-}
-
-/// The objects of an axis that are written once, before it is run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct AxisObjects {
-    /// Modes of operation, 0x6060 on the first axis.
-    pub mode: Option<u16>,
-    /// Interpolation time period, 0x60C2 on the first axis.
-    pub cycle: Option<u16>,
+    pub cycles: &'static [CycleLimit<'static>],
 }
 
 impl BringUp {
@@ -105,6 +97,16 @@ impl BringUp {
     pub(crate) const fn differs(&self, other: &Self) -> Text {
         let names = Text::new().text(other.name).text(" and ").text(self.name);
         names.text(" take these images, but not the same list: make it by `StartUp::on`")
+    }
+
+    /// The process data of a direction, as far as the device lets it be chosen.
+    pub(crate) const fn way<Dir: Direction>(&self, pdos: &'static [MappedPdo]) -> Way<'static> {
+        let (carriers, assignable) = match self.manager::<Dir>() {
+            Some(manager) => (manager.carriers, manager.assignable),
+            None => return Way::NONE,
+        };
+        let assigned = if assignable { Some(pdos) } else { None };
+        Way { carriers, mapped: if self.maps { pdos } else { &[] }, assigned }
     }
 
     const fn manager<Way: Direction>(&self) -> &Option<SyncManager> {

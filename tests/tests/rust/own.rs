@@ -1,10 +1,12 @@
-//! Own mappings and bring-up, against the example of the S700's manual and the lists that the description derives.
+//! Own mappings and bring-up, against the example of the S700's manual.
 
 use devc_generated::c887;
 use devc_generated::pmc_sc6::double;
+use devc_generated::s700 as s700_family;
 use devc_generated::s700::s700::{self, Controlword, Statusword, objects};
-use devc_runtime::pdo::{InPlace, Pdo, ProcessData, ProcessImage};
-use devc_runtime::start_up::{StartUp, Write};
+use devc_runtime::pdo::{InPlace, MappedPdo, Pdo, ProcessData, ProcessImage};
+use devc_runtime::start_up::{BringUp, StartUp, Write};
+use devc_start_up::Interface;
 use devc_tests::manual::{rows, s700::Startup};
 
 #[derive(Debug, Clone, Copy, PartialEq, Pdo)]
@@ -81,15 +83,6 @@ fn the_list_is_the_example_of_the_manual_byte_for_byte() {
         })
         .collect();
     assert_eq!(list, example);
-    assert_eq!(bytes(&LIST), bytes(&s700::configurations::FREE_MAPPING));
-}
-
-/// C887T0011, p. 26: the images as delivered, with the interpolation time of a millisecond that stands in 0x60C2.
-#[test]
-fn the_list_of_default_images_is_the_one_of_the_description() {
-    const CHOICE: StartUp = StartUp::of::<c887::Outputs, c887::Inputs>().cycle_ns::<1_000_000>();
-    const LIST: [Write; CHOICE.len()] = CHOICE.writes();
-    assert_eq!(bytes(&LIST), bytes(&c887::configurations::CSP));
 }
 
 #[test]
@@ -176,13 +169,28 @@ fn gaps_are_sent_as_zeros_and_not_read() {
     assert_eq!(frame, filled);
 }
 
-/// What each member takes: a position every millisecond, or every 250 µs (S700, 3.10; C887T0011, p. 4).
+/// What each takes: the S600 a position every millisecond, a velocity every 500 µs and a torque every 250 µs (S700, 3.10);
+/// the C-887 anything every millisecond (C887T0011, p. 4).
 #[test]
 fn a_device_takes_its_cycle_times_only() {
-    use devc_runtime::start_up::CycleLimit;
-    let takes = |limits: &[CycleLimit], ns| CycleLimit::any_takes(limits, ns);
-    let s700 = s700::BRING_UP.cycles;
-    let c887 = c887::BRING_UP.cycles;
-    assert!(takes(s700, 250_000) && !takes(s700, 200_000));
-    assert!(takes(c887, 1_000_000) && !takes(c887, 250_000));
+    let takes = |device: &BringUp, mode, ns| Interface { mode, pdos: [&[], &[]] }.takes(device.cycles, ns);
+    let s600 = &s700_family::s600::BRING_UP;
+    for (mode, least) in [(8, 1_000_000), (9, 500_000), (10, 250_000), (-2, 500_000)] {
+        assert!(takes(s600, Some(mode), least), "{mode}");
+        assert!(!takes(s600, Some(mode), least - 1), "{mode}");
+    }
+    assert!(takes(s600, None, 250_000) && !takes(s600, None, 200_000));
+    assert!(takes(&s700::BRING_UP, Some(8), 250_000) && !takes(&s700::BRING_UP, Some(8), 200_000));
+    assert!(takes(&c887::BRING_UP, Some(8), 1_000_000) && !takes(&c887::BRING_UP, None, 250_000));
+}
+
+/// Its position setpoint alone makes an interface one for positions.
+#[test]
+fn an_interface_has_the_cycle_time_of_its_pdos() {
+    let with = |index| [MappedPdo::new(index, &[])];
+    let takes = |pdos: &[MappedPdo], ns| {
+        Interface { mode: None, pdos: [pdos, &[]] }.takes(s700_family::s600::BRING_UP.cycles, ns)
+    };
+    let position = with(s700_family::RxPdo1701::INDEX);
+    assert!(!takes(&position, 250_000) && takes(&position, 1_000_000));
 }

@@ -74,22 +74,25 @@ fn the_free_mapping_of_the_s700_is_accepted() {
     assert_eq!(values.sync_manager_2_pdo_assignment.in_use(), [0x1600]);
 }
 
-/// The process data of a configuration has types, from which the runtime makes the list that devc has made of the
-/// description.
+/// The process data of a configuration has types, and the list that follows from them is one that the device accepts.
 #[test]
-fn the_list_follows_from_the_types_of_the_configuration() {
-    use s700::s700::configurations::{FREE_MAPPING, POSITION, free_mapping, position};
+fn the_list_of_the_types_of_a_configuration_is_accepted() {
+    use s700::s700::configurations::{free_mapping, position};
     const FREE: StartUp =
         StartUp::of::<free_mapping::Outputs, free_mapping::Inputs>().mode(1).cycle_ns::<2_000_000>();
-    const WRITES: [Write; FREE.len()] = FREE.writes();
-    let bare = |write: &Write| (write.address, write.data().to_vec(), write.transition);
-    assert_eq!(WRITES.each_ref().map(bare), FREE_MAPPING.each_ref().map(bare));
-    assert_eq!((free_mapping::Outputs::LEN, free_mapping::Inputs::LEN), (6, 6));
-
     const FIXED: StartUp = StartUp::of::<position::Outputs, position::Inputs>();
-    const OUTPUTS: [Write; FIXED.len()] = FIXED.writes();
-    let outputs = OUTPUTS.iter().filter(|write| write.address.index == 0x1C12).map(bare);
-    assert_eq!(outputs.collect::<Vec<_>>(), POSITION.each_ref().map(bare));
+    assert_eq!((free_mapping::Outputs::LEN, free_mapping::Inputs::LEN), (6, 6));
+    let lists: [Vec<Write>; 2] =
+        [FREE.writes::<{ FREE.len() }>().to_vec(), FIXED.writes::<{ FIXED.len() }>().to_vec()];
+    let assigned = lists.map(|list| {
+        let mut mailbox = Mailbox::new(Server::new(s700::s700::dictionary::Dictionary::DEFAULT, ()));
+        for it in list {
+            let to = (it.address.index, it.address.subindex);
+            assert_eq!(write(&mut mailbox, to, it.data()), Ok(()), "{it}");
+        }
+        mailbox.server.values.sync_manager_2_pdo_assignment.in_use().to_vec()
+    });
+    assert_eq!(assigned, [[0x1600], [0x1701]]);
 }
 
 /// Pilz, Tab. 18 to 21: 5 bytes and 5 bytes for each axis.

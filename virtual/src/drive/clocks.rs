@@ -27,6 +27,9 @@ impl ClockModes {
     }
 
     /// Whether the device can work with what a master has set (ETG.1000.6, AL status codes). It works without signals, too.
+    ///
+    /// It is not what `esm::Clocks` says, which is as strict as a description: that would refuse a master without clocks, and a
+    /// cycle that is too short, where this device goes on and complains.
     pub(super) fn judge(&self, clocks: Clocks) -> Result<(), AlStatusCode> {
         let asked = [clocks.sync0.is_some(), clocks.sync1.is_some()];
         match clocks.sync0 {

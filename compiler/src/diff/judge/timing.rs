@@ -40,7 +40,13 @@ pub(super) fn cycle_time(versions: Versions<'_>, path: &[&str], difference: &Dif
 fn is_longer(old: &CycleTime, new: &CycleTime) -> bool {
     let lost = old.choices.iter().any(|choice| !new.choices.contains(choice));
     let limited = old.choices.is_empty() && !new.choices.is_empty();
-    lost && !new.choices.is_empty() || limited || new.min > old.min
+    lost && !new.choices.is_empty() || limited || new.min > old.min || holds_for_more(old, new)
+}
+
+/// Whether a limit holds for a mode for which it did not hold.
+fn holds_for_more(old: &CycleTime, new: &CycleTime) -> bool {
+    let is_new = |mode| !old.modes.is_empty() && !old.modes.contains(mode);
+    new.modes.iter().any(is_new) || new.modes.is_empty() && !old.modes.is_empty()
 }
 
 pub(super) fn dead_time(versions: Versions<'_>, path: &[&str], difference: &Difference) -> &'static Kind {

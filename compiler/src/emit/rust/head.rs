@@ -31,7 +31,7 @@ pub(super) fn imports(scopes: &[Scope<'_>]) -> TokenStream {
         #widths
         use #runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
-            MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+            Carrier, MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
             Unmapped,
         };
         use #runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};

@@ -141,10 +141,10 @@ fn field(scope: &Scope<'_>, part: &Part<'_, '_>) -> TokenStream {
 
 /// The PDOs with what is mapped to them.
 fn selected(scope: &Scope<'_>, part: &Part<'_, '_>) -> Vec<TokenStream> {
-    let pdo = scope.pdo_ident(part.pdo);
+    let (runtime, pdo) = (scope.runtime, scope.pdo_ident(part.pdo));
     let selected = (part.axis..part.axis + part.count()).map(|axis| {
         let axis = number(axis);
-        quote!(MappedPdo::of_axis::<#pdo>(#axis))
+        quote!(#runtime::pdo::of_axis::<#pdo>(#axis))
     });
     selected.collect()
 }

@@ -28,6 +28,7 @@ const RESERVED: &[&str] = &[
     "Bit7",
     "BitField",
     "BringUp",
+    "Carrier",
     "Command",
     "Condition",
     "Constant",

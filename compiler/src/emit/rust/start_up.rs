@@ -3,7 +3,6 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::axes;
 use super::chosen;
 use super::doc::{Doc, sentence};
 use super::item::{Item, Reach};
@@ -11,7 +10,7 @@ use super::literal::{hex8, hex16, number, option};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::sync_managers;
-use crate::model::{Configuration, Direction, Index, SdoWrite};
+use crate::model::{Axis, Configuration, Direction, SdoWrite};
 
 /// What of the device bears on its bring-up, and its family if it is alone.
 pub(super) fn bring_up<'s>(scope: &'s Scope<'_>) -> Item<'s> {
@@ -21,14 +20,24 @@ pub(super) fn bring_up<'s>(scope: &'s Scope<'_>) -> Item<'s> {
 fn constant(scope: &Scope<'_>) -> (Doc, TokenStream) {
     let (name, member) = (&scope.device.name, number(scope.member));
     let maps = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_config);
-    let objects = scope.device.axes.iter().map(|axis| {
-        let (mode, cycle) = (on_axis(scope, 0x6060, axis.number), on_axis(scope, 0x60C2, axis.number));
+    let objects = Axis::set_objects(&scope.device.axes, &scope.device.objects).into_iter().map(|axis| {
+        let [mode, cycle] = [axis.mode, axis.cycle].map(|index| option(index.map(hex16)));
         quote!(AxisObjects { mode: #mode, cycle: #cycle })
     });
     let cycles = scope.device.cycle_times.iter().map(|limit| {
         let least = number(limit.min.map_or(0, |min| min.0));
         let choices = limit.choices.iter().map(|choice| number(choice.0));
-        quote!(CycleLimit { least_ns: #least, choices_ns: &[#(#choices),*] })
+        let holds_for = scope.device.limited_use(limit);
+        let modes = holds_for.modes.into_iter().map(number);
+        let pdos = holds_for.pdos.into_iter().map(hex16);
+        quote! {
+            CycleLimit {
+                least_ns: #least,
+                choices_ns: &[#(#choices),*],
+                modes: &[#(#modes),*],
+                pdos: &[#(#pdos),*],
+            }
+        }
     });
     let ways = [Direction::Rx, Direction::Tx];
     let [outputs, inputs] = ways.map(|way| option(sync_managers::value(scope, way)));
@@ -55,14 +64,6 @@ pub(super) fn family(scope: &Scope<'_>) -> TokenStream {
             const MEMBERS: &'static [BringUp] = &[BRING_UP];
         }
     }
-}
-
-/// Where an object of the first axis is on another, if it does anything there.
-fn on_axis(scope: &Scope<'_>, first: u16, axis: u8) -> TokenStream {
-    let shift = axes::shift(scope.device, Index(first)).unwrap_or(0);
-    let index = axes::shifted(Index(first), shift, axis.into());
-    let object = index.and_then(|index| scope.device.object(index)).filter(|object| object.functional);
-    option(object.map(|object| hex16(object.index.0)))
 }
 
 /// The start-up lists of the choices that are described, and the process data that there is then.

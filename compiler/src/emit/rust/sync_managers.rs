@@ -10,8 +10,13 @@ use crate::model::{Carried, Direction, Index, Role};
 
 /// What the sync managers of a direction carry together.
 pub(super) fn value(scope: &Scope<'_>, way: Direction) -> Option<TokenStream> {
-    let Carried { default, assignable, slots, max_size, mandatory, exclusive } = scope.device.carried(way)?;
-    let (default, mandatory) = (default.iter().map(hex), mandatory.iter().map(hex));
+    let Carried { carriers, assignable, slots, max_size, mandatory, exclusive } =
+        scope.device.carried(way)?;
+    let carriers = carriers.iter().map(|(assignment, pdos)| {
+        let (assignment, pdos) = (hex(assignment), pdos.iter().map(hex));
+        quote!(Carrier { assignment: #assignment, pdos: &[#(#pdos),*] })
+    });
+    let mandatory = mandatory.iter().map(hex);
     let (slots, max_size) = (number(slots), option(max_size.map(number)));
     let pairs = exclusive.iter().map(|pair| {
         let pair = pair.iter().map(hex);
@@ -19,7 +24,7 @@ pub(super) fn value(scope: &Scope<'_>, way: Direction) -> Option<TokenStream> {
     });
     Some(quote! {
         SyncManager {
-            default: &[#(#default),*],
+            carriers: &[#(#carriers),*],
             assignable: #assignable,
             slots: #slots,
             max_size: #max_size,

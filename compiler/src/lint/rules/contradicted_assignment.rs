@@ -76,8 +76,12 @@ fn judge_assigned(
     chosen: &[Index],
 ) -> Option<Diagnostic> {
     let usual: Vec<Index> = device.assigned(role).map(|pdo| pdo.index).collect();
+    // what another sync manager carries has no place before or behind
+    let carrier = |pdo: &Index| device.sync_managers_of(role).position(|manager| manager.pdos.contains(pdo));
+    let mut placed = chosen.to_vec();
+    placed.sort_by_key(|pdo| carrier(pdo).unwrap_or_default());
     let shown = |pdos: &[Index]| if pdos.is_empty() { "none".to_owned() } else { lookup::list(pdos) };
-    (usual != chosen).then(|| {
+    (usual != placed).then(|| {
         let message = format!(
             "the default configuration assigns {}, the sync manager {}",
             shown(chosen),

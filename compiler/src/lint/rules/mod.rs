@@ -130,6 +130,7 @@ pub(crate) mod unslotted_axis;
 mod unsourced_fact;
 pub(crate) mod unspoken_ability;
 mod unsupported_configuration_mode;
+mod unsupported_cycle_mode;
 mod unsupported_cycle_time;
 mod unsupported_pdo_mode;
 mod unsupported_transition;
@@ -275,6 +276,7 @@ lints! {
     unsourced_fact,
     unspoken_ability,
     unsupported_configuration_mode,
+    unsupported_cycle_mode,
     unsupported_cycle_time,
     unsupported_pdo_mode,
     unsupported_transition,

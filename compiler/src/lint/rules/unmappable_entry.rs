@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
 use crate::model::{Device, Mappable};
+use crate::source::Value;
 
 rule! {
     /// A PDO may carry only what the dictionary marks as mappable; a master that checks the mapping refuses
@@ -41,9 +42,17 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         }
         let name = lookup::name(object, entry);
         let message = format!("{} maps {name}, which cannot be mapped", pdo.index);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "mapped here")
-            .label(entry.origin.value("pdo"), "not mappable")
-            .help("write `pdo = \"rx\"` or `pdo = \"tx\"` if the device maps it");
-        report.push(at, diagnostic);
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "mapped here");
+        let is_offered = entry
+            .origin
+            .node("pdo")
+            .is_some_and(|it| !matches!(&it.value, Value::String(t) if &**t == "none"));
+        let diagnostic = match is_offered {
+            true => diagnostic.note(
+                "the `pdo` that it has holds where mappings can be changed and it is written in Operational",
+            ),
+            false => diagnostic.label(entry.origin.value("pdo"), "not mappable"),
+        };
+        report.push(at, diagnostic.help("write `pdo = \"rx\"` or `pdo = \"tx\"` if the device maps it"));
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Section};
+use crate::model::{Device, Section, SyncManager};
 
 rule! {
     /// The memory of an EtherCAT slave controller begins at 0x1000 and ends at 0xFFFF at the latest; below lie its
@@ -25,7 +25,9 @@ rule! {
 const FIRST: u16 = 0x1000;
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for manager in device.sync_managers.iter().filter(|manager| manager.enable || manager.longest() > 0) {
+    // one that is off and carries nothing lies nowhere: its address is 0
+    let lies = |manager: &&SyncManager| manager.enable || manager.longest() > 0 || manager.address > 0;
+    for manager in device.sync_managers.iter().filter(lies) {
         let end = manager.end();
         let fault = match manager.address {
             address if address < FIRST => "the registers lie below 0x1000",

@@ -1,3 +1,5 @@
+use devc_start_up::Period;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
 use crate::model::{Device, Entry, Section, Value};
@@ -36,7 +38,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let Some(time) = configuration.cycle_time else { continue };
         let fault = match time.interpolation() {
             None => "it is no count of up to 255 of a power of ten of a second".to_owned(),
-            Some((count, exponent)) => {
+            Some(Period { count, exponent }) => {
                 let Some(entry) = beyond(device, [(1, count.into()), (2, exponent.into())]) else { continue };
                 format!("{} does not take it: {count} of 10^{exponent} s", entry.address)
             }

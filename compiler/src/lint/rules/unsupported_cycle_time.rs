@@ -1,9 +1,11 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{CycleTime, Device, Duration, Section};
+use crate::model::{CycleTime, Device, Section};
 
 rule! {
-    /// A cycle time that none of `[cycle-times]` allows is one that the device does not keep up with, or does not take.
+    /// A cycle time that none of `[cycle-times]` allows is one that the device does not keep up with, or does not take. Where a
+    /// limit names the mode of the configuration or, if it has none, the mode that one of its PDOs is for, only such limits
+    /// count.
     ///
     /// ## Fires
     /// ```toml
@@ -42,10 +44,13 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let Some(any) = device.cycle_times.first() else { return };
     for configuration in &device.configurations {
         let Some(time) = configuration.cycle_time else { continue };
-        if device.cycle_times.iter().any(|limit| allows(limit, time)) {
+        if device.takes_cycle(configuration, time) {
             continue;
         }
-        let message = format!("`{}` sets a cycle time of {time}, which no limit allows", configuration.name);
+        let message = format!(
+            "`{}` sets a cycle time of {time}, which none of the limits for it allows",
+            configuration.name
+        );
         let limits = device.cycle_times.iter().map(|limit| format!("{}: {}", limit.name, shown(limit)));
         let at = configuration.origin.value("cycle-time");
         let diagnostic = Diagnostic::new(&RULE, message, at, "not allowed")
@@ -55,13 +60,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     }
 }
 
-fn allows(limit: &CycleTime, time: Duration) -> bool {
-    let is_chosen = limit.choices.is_empty() || limit.choices.contains(&time);
-    is_chosen && limit.min.is_none_or(|min| time >= min)
-}
-
 fn shown(limit: &CycleTime) -> String {
     let min = limit.min.map(|min| format!("at least {min}"));
     let choices = (!limit.choices.is_empty()).then(|| format!("one of {}", lookup::list(&limit.choices)));
-    lookup::list(min.into_iter().chain(choices))
+    let modes = (!limit.modes.is_empty()).then(|| format!("in mode {}", lookup::list(&limit.modes)));
+    lookup::list(min.into_iter().chain(choices).chain(modes))
 }

@@ -1,7 +1,7 @@
 //! What a device lets a master make its process data of.
 
 use devc::model::{Device, Direction, Index};
-use devc_runtime::pdo::SyncManager;
+use devc_runtime::pdo::{Carrier, SyncManager};
 use devc_runtime::sdo::PdoRules;
 
 use crate::drive::forever;
@@ -22,8 +22,11 @@ pub(super) fn rules(device: &Device) -> Option<PdoRules> {
 fn manager(device: &Device, way: Direction) -> Option<SyncManager> {
     let carried = device.carried(way)?;
     let indices = |indices: Vec<Index>| forever::all(indices.into_iter().map(|index| index.0));
+    let carriers = carried.carriers.into_iter();
+    let carriers =
+        carriers.map(|(assignment, pdos)| Carrier { assignment: assignment.0, pdos: indices(pdos) });
     Some(SyncManager {
-        default: indices(carried.default),
+        carriers: forever::all(carriers),
         assignable: carried.assignable,
         slots: carried.slots,
         max_size: carried.max_size,

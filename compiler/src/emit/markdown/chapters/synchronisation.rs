@@ -75,12 +75,13 @@ fn signal(signal: &SyncSignal) -> String {
 }
 
 fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {
-    let titles = ["Cycle time", "At least", "To choose from", "Notes", "Source"];
+    let titles = ["Cycle time", "At least", "To choose from", "Modes", "Notes", "Source"];
     Table::of(titles, times, |time| {
         [
             text(&time.name),
             time.min.map_or(String::new(), |least| duration(least.0)),
             list(time.choices.iter().map(|choice| duration(choice.0))),
+            list(time.modes.iter().map(i16::to_string)),
             context.optional(time.about.as_deref()),
             context.said(time.source.as_ref(), &time.origin),
         ]

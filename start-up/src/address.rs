@@ -5,7 +5,7 @@ use core::fmt;
 /// Index and subindex of an entry (CiA 301, object dictionary). Addresses sort as dictionaries do.
 ///
 /// ```
-/// use devc_runtime::object::Address;
+/// use devc_start_up::Address;
 ///
 /// assert_eq!(Address::new(0x607D, 2).to_string(), "0x607D:02");
 /// ```

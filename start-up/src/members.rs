@@ -1,9 +1,9 @@
 //! Which members of a family have something.
 
-/// Members of a family, by their places in [`Family::MEMBERS`](crate::Family::MEMBERS).
+/// Members of a family, by their places in the list of a family.
 ///
 /// ```
-/// use devc_runtime::pdo::Members;
+/// use devc_start_up::Members;
 ///
 /// let members = Members::of(&[0, 3]);
 /// assert!(members.has(3) && !members.has(2));
