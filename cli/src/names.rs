@@ -16,6 +16,15 @@ pub(super) fn portable(name: &str) -> Result<&str, Failure> {
         .help("rename the folder of the description: outputs take their name from it"))
 }
 
+/// The name of an output within the folder of its family, if it can be one wherever it is checked out: a file, or a file in a
+/// folder.
+pub(super) fn portable_path(path: &str) -> Result<&str, Failure> {
+    match path.split_once('/') {
+        Some((folder, name)) => portable(folder).and(portable(name)).map(|_| path),
+        None => portable(path),
+    }
+}
+
 fn fault(name: &str) -> Option<String> {
     let forbidden =
         |c: char| c.is_control() || matches!(c, '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|');
@@ -76,6 +85,16 @@ mod tests {
         assert!(portable(&"a".repeat(256)).is_err());
         for name in ["c887", ".a", "a b", "com", "com10", "console", "Größe", "a.b.xml", &"a".repeat(255)] {
             assert!(portable(name).is_ok(), "{name:?}");
+        }
+    }
+
+    #[test]
+    fn a_file_can_be_in_one_folder() {
+        for path in ["a.md", "c887.soes/utypes.h"] {
+            assert!(portable_path(path).is_ok(), "{path:?}");
+        }
+        for path in ["../a", "a/..", "/a", "a/", "a/b/c", "aux/b", "a/b?"] {
+            assert!(portable_path(path).is_err(), "{path:?}");
         }
     }
 }
