@@ -107,16 +107,12 @@ pub mod objects {
 
         /// `0x1C00:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 0);
-
         /// `0x1C00:01` Sync manager 0. UINT8, ro, default 1.
         pub const ENTRY_1: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 1);
-
         /// `0x1C00:02` Sync manager 1. UINT8, ro, default 2.
         pub const ENTRY_2: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 2);
-
         /// `0x1C00:03` Sync manager 2. UINT8, ro, default 3.
         pub const ENTRY_3: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 3);
-
         /// `0x1C00:04` Sync manager 3. UINT8, ro, default 4.
         pub const ENTRY_4: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 4);
     }
@@ -279,9 +275,8 @@ pub mod objects {
     ///
     /// Sixteen bits, each with the source that A66 gives it.
     ///
-    /// Assumed, access: the manual gives none; it is sent.
-    ///
-    /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
+    /// Assumed, access: the manual gives none; it is sent. Assumed, pdo: no table of objects lists it; it
+    /// is mapped for sending.
     ///
     /// Of these only: PMC SC6/SI6 double-axis, CiA 402, PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
     pub const fn status_word_user_defined(axis: Axis) -> Entry<Family, u16, ReadOnly, Tx> {
@@ -290,9 +285,8 @@ pub mod objects {
 
     /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
     ///
-    /// Assumed, access: the manual gives none; it is sent.
-    ///
-    /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
+    /// Assumed, access: the manual gives none; it is sent. Assumed, pdo: no table of objects lists it; it
+    /// is mapped for sending.
     ///
     /// Of these only: PMC SC6/SI6 double-axis, CiA 402, PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
     pub const fn status_word_2(axis: Axis) -> Entry<Family, u16, ReadOnly, Tx> {
@@ -551,18 +545,16 @@ pub mod objects {
     ///
     /// Sixteen bits, each with the source that A66 gives it.
     ///
-    /// Assumed, access: the manual gives none; it is sent.
-    ///
-    /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
+    /// Assumed, access: the manual gives none; it is sent. Assumed, pdo: no table of objects lists it; it
+    /// is mapped for sending.
     ///
     /// Of these only: PMC SC6/SI6 single-axis, CiA 402, PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
     pub const STATUS_WORD_USER_DEFINED: Entry<Family, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
     /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
     ///
-    /// Assumed, access: the manual gives none; it is sent.
-    ///
-    /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
+    /// Assumed, access: the manual gives none; it is sent. Assumed, pdo: no table of objects lists it; it
+    /// is mapped for sending.
     ///
     /// Of these only: PMC SC6/SI6 single-axis, CiA 402, PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
     pub const STATUS_WORD_2: Entry<Family, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
@@ -762,12 +754,10 @@ pub mod objects {
     pub const SUPPORTED_DRIVE_MODES: Entry<Family, SupportedDriveModes, ReadOnly> = Entry::new(0x6502, 0);
 }
 
-/// `0x6040` Control word.
+/// `0x6040` Control word (6.5.2.1, 6.5.2.3 to 6.5.2.9, 6.6, Tab. 5).
 ///
 /// Bits 0 to 3 and 7 together make a command, bits 4 to 6 belong to the mode. Of bits 8 to 15 the
 /// manual says nothing.
-///
-/// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.9, 6.6, Tab. 5.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Controlword(pub u16);
 
@@ -852,12 +842,10 @@ impl core::fmt::Display for Controlword {
 
 ::devc_runtime::value!(Controlword as u16);
 
-/// `0x6041` Statusword.
+/// `0x6041` Statusword (6.5, 6.5.2, 6.6).
 ///
 /// Shows the state of the drive, which E48 shows, too. Bits 10, 12 and 13 take their signals from A925
 /// to A928.
-///
-/// Source: 6.5, 6.5.2, 6.6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Statusword(pub u16);
 
@@ -985,15 +973,11 @@ impl core::fmt::Display for Statusword {
 
 ::devc_runtime::value!(Statusword as u16);
 
-/// `0x607E` Polarity.
-///
-/// Source: 5.1.4.2.2, Tab. 34.
+/// `0x607E` Polarity (5.1.4.2.2, Tab. 34).
 ///
 /// Assumed, bits.6: the manual gives bit 7 only, without a name; its name, and that of bit 6, are the
-/// profile's.
-///
-/// Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of bit 6, are
-/// the profile's.
+/// profile's. Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of
+/// bit 6, are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Polarity(pub u8);
 
@@ -1014,36 +998,22 @@ impl core::fmt::Display for Polarity {
 
 ::devc_runtime::value!(Polarity as u8);
 
-/// `0x60B8` Touch probe function.
+/// `0x60B8` Touch probe function (6.11).
 ///
 /// Bits 0 to 7 belong to position measurement 1, whose signal I110 chooses; bits 8 to 15 do the same
 /// for measurement 2 and I126.
 ///
-/// Source: 6.11.
-///
 /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.4: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.9: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
-///
-/// Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's.
+/// all names, are the profile's. Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their
+/// like from 8 on; the others, and all names, are the profile's. Assumed, bits.4: the manual describes
+/// bits 0, 1, 4 and 5, and their like from 8 on; the others, and all names, are the profile's. Assumed,
+/// bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and all
+/// names, are the profile's. Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like
+/// from 8 on; the others, and all names, are the profile's. Assumed, bits.9: the manual describes bits
+/// 0, 1, 4 and 5, and their like from 8 on; the others, and all names, are the profile's. Assumed,
+/// bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and all
+/// names, are the profile's. Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like
+/// from 8 on; the others, and all names, are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TouchProbeFunction(pub u16);
 
@@ -1121,27 +1091,17 @@ impl core::fmt::Display for TouchProbeFunction {
 
 ::devc_runtime::value!(TouchProbeFunction as u16);
 
-/// `0x60B9` Touch probe status.
+/// `0x60B9` Touch probe status (6.11).
 ///
 /// All bits of a measurement are cleared when it is switched off.
 ///
-/// Source: 6.11.
-///
 /// Assumed, bits.0: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's.
-///
-/// Assumed, bits.1: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's.
-///
-/// Assumed, bits.2: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's.
-///
-/// Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's.
-///
-/// Assumed, bits.9: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's.
-///
+/// others, and all names, are the profile's. Assumed, bits.1: the manual describes bits 0 to 2, and
+/// that measurement 2 works as 1 does; the others, and all names, are the profile's. Assumed, bits.2:
+/// the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the others, and all names,
+/// are the profile's. Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works
+/// as 1 does; the others, and all names, are the profile's. Assumed, bits.9: the manual describes bits
+/// 0 to 2, and that measurement 2 works as 1 does; the others, and all names, are the profile's.
 /// Assumed, bits.10: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
 /// others, and all names, are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -1197,18 +1157,14 @@ impl core::fmt::Display for TouchProbeStatus {
 
 ::devc_runtime::value!(TouchProbeStatus as u16);
 
-/// `0x60F2` Positioning option code.
+/// `0x60F2` Positioning option code (Tab. 15, Tab. 28).
 ///
 /// With bit 6 of the control word at 1, bits 0 and 1 choose between the motion commands
 /// MC\_MoveAdditive (00) and MC\_MoveRelative (10).
 ///
-/// Source: Tab. 15, Tab. 28.
-///
 /// Assumed, bits.0..=1.about: the manual describes two values of bits 0 and 1; the other bits, and all
-/// names, are the profile's.
-///
-/// Assumed, bits.0..=1.values: the manual describes two values of bits 0 and 1; the other bits, and all
-/// names, are the profile's.
+/// names, are the profile's. Assumed, bits.0..=1.values: the manual describes two values of bits 0 and
+/// 1; the other bits, and all names, are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct PositioningOptionCode(pub u16);
 
@@ -1404,13 +1360,10 @@ pub struct SynchronizationType(pub u16);
 impl SynchronizationType {
     /// Free run.
     pub const FREE_RUN: Self = Self(0);
-
     /// Synchronous with SM2 event.
     pub const SYNCHRONOUS_WITH_SM2_EVENT: Self = Self(1);
-
     /// Synchronous with SYNC0 event.
     pub const SYNCHRONOUS_WITH_SYNC0_EVENT: Self = Self(2);
-
     /// Synchronous with SYNC1 event.
     pub const SYNCHRONOUS_WITH_SYNC1_EVENT: Self = Self(3);
 
@@ -1439,10 +1392,8 @@ pub struct GetCycleTime(pub u16);
 impl GetCycleTime {
     /// Measurement stopped.
     pub const MEASUREMENT_STOPPED: Self = Self(0);
-
     /// Measurement started.
     pub const MEASUREMENT_STARTED: Self = Self(1);
-
     /// Measurement and error counters reset.
     pub const MEASUREMENT_AND_ERROR_COUNTERS_RESET: Self = Self(2);
 
@@ -1470,16 +1421,12 @@ pub struct SmInputParameterSynchronizationType(pub u16);
 impl SmInputParameterSynchronizationType {
     /// Free run.
     pub const FREE_RUN: Self = Self(0);
-
     /// Synchronous with SM3 event.
     pub const SYNCHRONOUS_WITH_SM3_EVENT: Self = Self(1);
-
     /// Synchronous with SYNC0 event.
     pub const SYNCHRONOUS_WITH_SYNC0_EVENT: Self = Self(2);
-
     /// Synchronous with SYNC1 event.
     pub const SYNCHRONOUS_WITH_SYNC1_EVENT: Self = Self(3);
-
     /// Synchronous with SM2 event.
     pub const SYNCHRONOUS_WITH_SM2_EVENT: Self = Self(34);
 
@@ -1505,28 +1452,22 @@ impl SmInputParameterSynchronizationType {
 pub struct VendorCode(pub u32);
 
 impl VendorCode {
-    /// Communication.
+    /// Communication (2.7.2).
     ///
     /// Named only to show what an event looks like on the display.
-    ///
-    /// Source: 2.7.2.
     pub const COMMUNICATION: Self = Self(52);
 
-    /// Limit switch.
+    /// Limit switch (6.3.1.1, 6.3.1.7, 6.3.2).
     ///
     /// A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the
     /// axis can move only away from the switch: I196 shows the direction that is locked, and the fault
     /// cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch
     /// with the window I22, by the condition of its cause.
-    ///
-    /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
     pub const LIMIT_SWITCH: Self = Self(53);
 
-    /// Cyclical position limit.
+    /// Cyclical position limit (6.10).
     ///
     /// Set values stayed away; the drive goes to Fault.
-    ///
-    /// Source: 6.10.
     pub const CYCLICAL_POSITION_LIMIT: Self = Self(78);
 
     /// What the value stands for, if the description says so.
@@ -1710,55 +1651,41 @@ pub const TRANSITIONS: &[Transition] = {
 pub mod commands {
     use super::*;
 
-    /// Shutdown. `0xxx x110`
+    /// Shutdown. `0xxx x110` (6.5.2.1, 6.5.2.3, 6.5.2.5, 6.5.2.6, Tab. 5).
     ///
     /// Sets bits 2 and 1 in Switch on disabled, which withdraws the request for a quick stop; clears bit 0
     /// in Switched on and Operation enabled.
-    ///
-    /// Source: 6.5.2.1, 6.5.2.3, 6.5.2.5, 6.5.2.6, Tab. 5.
     pub const SHUTDOWN: Command = Command::new("shutdown", 0x0087, 0x0006, &[2, 6, 8]);
 
-    /// Switch on. `0xxx 0111`
+    /// Switch on. `0xxx 0111` (6.5.2.1, 6.5.2.4, Tab. 5).
     ///
     /// Sets bit 0.
-    ///
-    /// Source: 6.5.2.1, 6.5.2.4, Tab. 5.
     pub const SWITCH_ON: Command = Command::new("switch on", 0x008F, 0x0007, &[3]);
 
-    /// Disable voltage. `0xxx xx0x`
+    /// Disable voltage. `0xxx xx0x` (6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5).
     ///
     /// One of the causes of Switch on disabled.
-    ///
-    /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
     pub const DISABLE_VOLTAGE: Command = Command::new("disable voltage", 0x0082, 0x0000, &[7, 9, 10]);
 
-    /// Quick stop. `0xxx x01x`
+    /// Quick stop. `0xxx x01x` (6.5.1, 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5).
     ///
     /// Clears bit 2. The way to switch off an axis with a load that hangs and a brake: the load is held
     /// until the brake is applied. Also one of the causes of Switch on disabled.
-    ///
-    /// Source: 6.5.1, 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
     pub const QUICK_STOP: Command = Command::new("quick stop", 0x0086, 0x0002, &[7, 10, 11]);
 
-    /// Disable operation. `0xxx 0111`
+    /// Disable operation. `0xxx 0111` (6.5.2.1, 6.5.2.5, 6.5.2.6, Tab. 5).
     ///
     /// Clears bit 3. In Switched on, the power unit stays on, without torque or force.
-    ///
-    /// Source: 6.5.2.1, 6.5.2.5, 6.5.2.6, Tab. 5.
     pub const DISABLE_OPERATION: Command = Command::new("disable operation", 0x008F, 0x0007, &[5]);
 
-    /// Enable operation. `0xxx 1111`
+    /// Enable operation. `0xxx 1111` (6.5.2.1, 6.5.2.5, Tab. 5).
     ///
     /// Sets bit 3.
-    ///
-    /// Source: 6.5.2.1, 6.5.2.5, Tab. 5.
     pub const ENABLE_OPERATION: Command = Command::new("enable operation", 0x008F, 0x000F, &[4]);
 
-    /// Fault reset. `rxxx xxxx`
+    /// Fault reset. `rxxx xxxx` (6.5.2.1, 6.5.2.9, Tab. 5).
     ///
     /// Acknowledges the fault, once its cause is remedied.
-    ///
-    /// Source: 6.5.2.1, 6.5.2.9, Tab. 5.
     pub const FAULT_RESET: Command =
         Command::new("fault reset", 0x0080, 0x0080, &[15]).on(Edge::Rising(0x0080));
 
@@ -1771,7 +1698,7 @@ pub mod commands {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(i8)]
 pub enum ModeOfOperation {
-    /// Jog.
+    /// Jog (5.2.7.2, 5.2.8, 6.1.2, 6.3.2.1, 6.6.10, Tab. 27, Tab. 28).
     ///
     /// The vendor's own, not for production, and offered with the controller-based and the drive-based
     /// modes. The axis is moved by hand, through the jog control panel or by a controller, for
@@ -1784,51 +1711,40 @@ pub enum ModeOfOperation {
     ///
     /// - DANGER, risk of fatal injury: with velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active. Only for axes without such a load.
     ///
-    /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 21; these are the values that the text names, and
     /// what the profile has for the mode.
     Jog = -1,
-    /// No mode.
-    ///
-    /// Source: 6.8, Tab. 28.
+    /// No mode (6.8, Tab. 28).
     NoMode = 0,
-    /// Profile position mode.
+    /// Profile position mode (6.6.5, Tab. 15, Tab. 16, Tab. 28).
     ///
     /// Drive-based. The controller gives a target position; the drive makes the profile out of velocity,
     /// acceleration, deceleration and jerk, with the velocity override A340, and controls position.
     ///
-    /// Source: 6.6.5, Tab. 15, Tab. 16, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 16; these are the values that the text names, and
     /// what the profile has for the mode.
     Pp = 1,
-    /// Velocity mode.
+    /// Velocity mode (6.6.6, Tab. 17, Tab. 28).
     ///
     /// Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and
     /// deceleration, with the velocity override A340, and controls velocity.
     ///
     /// The process data carry its target velocity, which the standard mapping does not.
     ///
-    /// Source: 6.6.6, Tab. 17, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
-    /// what the profile has for the mode.
-    ///
-    /// Contradicted, control-bits.6.about: Bits 4 and 6 are printed with other names and the same two
-    /// values; by the profile, bit 4 leaves the ramp and bit 6 its input, which this drive may do, too.
+    /// what the profile has for the mode. Contradicted, control-bits.6.about: Bits 4 and 6 are printed with
+    /// other names and the same two values; by the profile, bit 4 leaves the ramp and bit 6 its input,
+    /// which this drive may do, too.
     Vl = 2,
-    /// Profile velocity mode.
+    /// Profile velocity mode (6.6.7, Tab. 22, Tab. 28).
     ///
     /// Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration,
     /// deceleration and jerk, with the velocity override A340, and controls velocity.
     ///
-    /// Source: 6.6.7, Tab. 22, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 18; these are the values that the text names, and
     /// what the profile has for the mode.
     Pv = 3,
-    /// Profile torque mode.
+    /// Profile torque mode (6.6.8, Tab. 23, Tab. 28).
     ///
     /// Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to
     /// the velocity control, as printed, and controls torque. Its short name in the manual is pt.
@@ -1837,12 +1753,10 @@ pub enum ModeOfOperation {
     ///
     /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
     ///
-    /// Source: 6.6.8, Tab. 23, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 19; these are the values that the text names, and
     /// what the profile has for the mode.
     Tq = 4,
-    /// Homing mode.
+    /// Homing mode (5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28).
     ///
     /// Offered with the controller-based and the drive-based modes. The drive finds its reference by
     /// itself, in the way of A586. Only then can it make absolute moves. On the way, software limit
@@ -1854,12 +1768,10 @@ pub enum ModeOfOperation {
     /// - Information: with a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
     /// - Information: if the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
     ///
-    /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
     /// what the profile has for the mode.
     Hm = 6,
-    /// Interpolated position mode.
+    /// Interpolated position mode (6.6.1, 6.9, 6.10, Tab. 6, Tab. 7, Tab. 28).
     ///
     /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
     /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
@@ -1868,36 +1780,30 @@ pub enum ModeOfOperation {
     ///
     /// The set values are cyclic.
     ///
-    /// Source: 6.6.1, 6.9, 6.10, Tab. 6, Tab. 7, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 12; these are the values that the text names, and
     /// what the profile has for the mode.
     Ip = 7,
-    /// Cyclic synchronous position mode.
+    /// Cyclic synchronous position mode (6.6.2, 6.9, 6.10, Tab. 12, Tab. 28).
     ///
     /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
     /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
     ///
     /// The set values are cyclic.
     ///
-    /// Source: 6.6.2, 6.9, 6.10, Tab. 12, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 13; these are the values that the text names, and
     /// what the profile has for the mode.
     Csp = 8,
-    /// Cyclic synchronous velocity mode.
+    /// Cyclic synchronous velocity mode (6.6.3, 6.10, Tab. 13, Tab. 28).
     ///
     /// Controller-based. The controller sends a set velocity every cycle; the drive interpolates and
     /// controls velocity. No ramps, no jerk limit.
     ///
     /// The set values are cyclic.
     ///
-    /// Source: 6.6.3, 6.10, Tab. 13, Tab. 28.
-    ///
     /// Assumed, objects: the signals are drawn in fig. 14; these are the values that the text names, and
     /// what the profile has for the mode.
     Csv = 9,
-    /// Cyclic synchronous torque mode.
+    /// Cyclic synchronous torque mode (6.6.4, Tab. 14, Tab. 28).
     ///
     /// Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and
     /// controls torque. No ramps, no jerk limit, but a velocity limit.
@@ -1905,8 +1811,6 @@ pub enum ModeOfOperation {
     /// The set values are cyclic.
     ///
     /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
-    ///
-    /// Source: 6.6.4, Tab. 14, Tab. 28.
     ///
     /// Assumed, objects: the signals are drawn in fig. 15; these are the values that the text names, and
     /// what the profile has for the mode.
@@ -2018,20 +1922,17 @@ pub const MODES: Modes = Modes {
     refusal: Refusal::Ignored,
 };
 
-/// The bits that start a reference run in mode 6 and show how far it is.
-///
-/// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+/// The bits that start a reference run in mode 6 and show how far it is (5.2.7.2, 5.2.8, 6.1.2,
+/// 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28).
 ///
 /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
 /// what the profile has for the mode.
 pub const HOMING: HomingBits = HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
-/// The state machine, as both sides run it.
+/// The state machine, as both sides run it (6.8).
 ///
 /// No motion command is carried out in Fault and Quick stop active. Any motion command but MC\_Stop can
 /// be overwritten while it runs.
-///
-/// Source: 6.8.
 pub const MACHINE: Machine = Machine {
     states: STATES,
     commands: commands::ALL,
@@ -2046,7 +1947,7 @@ pub const MACHINE: Machine = Machine {
 pub struct HomingMethod(pub i8);
 
 impl HomingMethod {
-    /// Homing on torque/force limit and index pulse initial negative. Method S.
+    /// Homing on torque/force limit and index pulse initial negative. Method S (Tab. 4, 6.4.1.1.19).
     ///
     /// 1. Starts in the negative direction with A588 and A587\[0\].
     /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
@@ -2055,11 +1956,9 @@ impl HomingMethod {
     /// 5. With I43 = 1, goes to A569.
     ///
     /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.19.
     pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(-4);
 
-    /// Homing on torque/force limit and index pulse initial positive. Method Q.
+    /// Homing on torque/force limit and index pulse initial positive. Method Q (Tab. 4, 6.4.1.1.17).
     ///
     /// 1. Starts in the positive direction with A588 and A587\[0\].
     /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
@@ -2068,11 +1967,9 @@ impl HomingMethod {
     /// 5. With I43 = 1, goes to A569.
     ///
     /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.17.
     pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(-3);
 
-    /// Homing on torque/force limit initial negative. Method R.
+    /// Homing on torque/force limit initial negative. Method R (Tab. 4, 6.4.1.1.18).
     ///
     /// 1. Starts in the negative direction with A588 and A587\[1\].
     /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
@@ -2080,11 +1977,9 @@ impl HomingMethod {
     /// 4. With I43 = 1, goes to A569.
     ///
     /// Parameters: A587\[1\], A588, I44, A569, I28, I29, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.18.
     pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_NEGATIVE: Self = Self(-2);
 
-    /// Homing on torque/force limit initial positive. Method P.
+    /// Homing on torque/force limit initial positive. Method P (Tab. 4, 6.4.1.1.16).
     ///
     /// 1. Starts in the positive direction with A588 and A587\[0\].
     /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
@@ -2092,11 +1987,9 @@ impl HomingMethod {
     /// 4. With I43 = 1, goes to A569.
     ///
     /// Parameters: A587\[0\], A588, I44, A569, I28, I29, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.16.
     pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_POSITIVE: Self = Self(-1);
 
-    /// Homing on negative limit switch and index pulse. Method A.
+    /// Homing on negative limit switch and index pulse. Method A (Tab. 4, 6.4.1.1.1).
     ///
     /// 1. Starts in the negative direction with A588 and A587\[0\].
     /// 2. At the negative limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
@@ -2105,11 +1998,9 @@ impl HomingMethod {
     /// 5. With I43 = 1, goes to A569.
     ///
     /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.1.
     pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(1);
 
-    /// Homing on positive limit switch and index pulse. Method E.
+    /// Homing on positive limit switch and index pulse. Method E (Tab. 4, 6.4.1.1.5).
     ///
     /// 1. Starts in the positive direction with A588 and A587\[0\].
     /// 2. At the positive limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
@@ -2118,11 +2009,9 @@ impl HomingMethod {
     /// 5. With I43 = 1, goes to A569.
     ///
     /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.5.
     pub const HOMING_ON_POSITIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(2);
 
-    /// Homing on positive home switch and index pulse. Method F.
+    /// Homing on positive home switch and index pulse. Method F (Tab. 4, 6.4.1.1.6).
     ///
     /// Off the reference switch:
     ///
@@ -2142,11 +2031,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.6.
     pub const HOMING_ON_POSITIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(3);
 
-    /// Homing on negative home switch and index pulse. Method B.
+    /// Homing on negative home switch and index pulse. Method B (Tab. 4, 6.4.1.1.2).
     ///
     /// Off the reference switch:
     ///
@@ -2166,11 +2053,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.2.
     pub const HOMING_ON_NEGATIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(5);
 
-    /// Homing on home switch and index pulse initial positive. Method I.
+    /// Homing on home switch and index pulse initial positive. Method I (Tab. 4, 6.4.1.1.9).
     ///
     /// Between the negative limit switch and the reference switch:
     ///
@@ -2199,11 +2084,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.9.
     pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(7);
 
-    /// Homing on home switch and index pulse initial negative. Method K.
+    /// Homing on home switch and index pulse initial negative. Method K (Tab. 4, 6.4.1.1.11).
     ///
     /// Between the reference switch and the positive limit switch:
     ///
@@ -2232,11 +2115,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.11.
     pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(11);
 
-    /// Homing on negative limit switch. Method C.
+    /// Homing on negative limit switch. Method C (Tab. 4, 6.4.1.1.3).
     ///
     /// 1. Starts in the negative direction with A588 and A587\[0\].
     /// 2. At the negative limit switch turns round and goes on with A587\[1\] until it has left the switch.
@@ -2245,11 +2126,9 @@ impl HomingMethod {
     /// 5. With I43 = 1, goes to A569.
     ///
     /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.3.
     pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH: Self = Self(17);
 
-    /// Homing on positive limit switch. Method G.
+    /// Homing on positive limit switch. Method G (Tab. 4, 6.4.1.1.7).
     ///
     /// 1. Starts in the positive direction with A588 and A587\[0\].
     /// 2. At the positive limit switch turns round and goes on with A587\[1\] until it has left the switch.
@@ -2259,14 +2138,12 @@ impl HomingMethod {
     ///
     /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
     ///
-    /// Source: Tab. 4, 6.4.1.1.7.
-    ///
     /// Corrected, parameters; the source says: parameters = I102, A587\[0\], A587\[1\], A588, I44, A569,
     /// I43. The method looks for the positive limit switch, whose source is I101; its sister E, number 2,
     /// has the other one.
     pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
 
-    /// Homing on positive home switch. Method H.
+    /// Homing on positive home switch. Method H (Tab. 4, 6.4.1.1.8).
     ///
     /// Off the reference switch:
     ///
@@ -2286,11 +2163,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.8.
     pub const HOMING_ON_POSITIVE_HOME_SWITCH: Self = Self(19);
 
-    /// Homing on negative home switch. Method D.
+    /// Homing on negative home switch. Method D (Tab. 4, 6.4.1.1.4).
     ///
     /// Off the reference switch:
     ///
@@ -2310,11 +2185,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.4.
     pub const HOMING_ON_NEGATIVE_HOME_SWITCH: Self = Self(21);
 
-    /// Homing on home switch initial positive. Method J.
+    /// Homing on home switch initial positive. Method J (Tab. 4, 6.4.1.1.10).
     ///
     /// Between the negative limit switch and the reference switch:
     ///
@@ -2343,11 +2216,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.10.
     pub const HOMING_ON_HOME_SWITCH_INITIAL_POSITIVE: Self = Self(23);
 
-    /// Homing on home switch initial negative. Method L.
+    /// Homing on home switch initial negative. Method L (Tab. 4, 6.4.1.1.12).
     ///
     /// Between the reference switch and the positive limit switch:
     ///
@@ -2376,11 +2247,9 @@ impl HomingMethod {
     /// 6. With I43 = 1, goes to A569.
     ///
     /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.12.
     pub const HOMING_ON_HOME_SWITCH_INITIAL_NEGATIVE: Self = Self(27);
 
-    /// Homing on index pulse negative. Method M.
+    /// Homing on index pulse negative. Method M (Tab. 4, 6.4.1.1.13).
     ///
     /// 1. Starts in the negative direction with A588 and A587\[1\].
     /// 2. At the zero pulse, the actual position becomes A569.
@@ -2388,11 +2257,9 @@ impl HomingMethod {
     /// 4. With I43 = 1, goes to A569.
     ///
     /// Parameters: A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.13.
     pub const HOMING_ON_INDEX_PULSE_NEGATIVE: Self = Self(33);
 
-    /// Homing on index pulse positive. Method N.
+    /// Homing on index pulse positive. Method N (Tab. 4, 6.4.1.1.14).
     ///
     /// 1. Starts in the positive direction with A588 and A587\[1\].
     /// 2. At the zero pulse, the actual position becomes A569.
@@ -2400,17 +2267,13 @@ impl HomingMethod {
     /// 4. With I43 = 1, goes to A569.
     ///
     /// Parameters: A587\[1\], A588, I44, A569, I43.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.14.
     pub const HOMING_ON_INDEX_PULSE_POSITIVE: Self = Self(34);
 
-    /// Homing on current position. Method O.
+    /// Homing on current position. Method O (Tab. 4, 6.4.1.1.15).
     ///
     /// 1. The actual position becomes A569; the axis does not move.
     ///
     /// Parameters: A569.
-    ///
-    /// Source: Tab. 4, 6.4.1.1.15.
     pub const HOMING_ON_CURRENT_POSITION: Self = Self(37);
 }
 
@@ -2969,12 +2832,9 @@ pub mod double {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
-    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
-    ///
-    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
-    ///
-    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
-    /// for CiA 402, 2 for HiRes Motion.
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known. Assumed, product-code:
+    /// no source gives it: 2 stands for two axes, 1 for one. Assumed, revision: no source gives it, only
+    /// that it changes with the template (5.1.1.1): 1 stands for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct Double;
 
@@ -3010,6 +2870,9 @@ pub mod double {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
+        ///
+        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
+        /// those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -3019,25 +2882,16 @@ pub mod double {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const VENDOR_ID: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 2.
             ///
             /// The kind of device.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const PRODUCT_CODE: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 1.
             ///
             /// The version of what the device shows on the bus.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const REVISION_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -3046,9 +2900,7 @@ pub mod double {
             pub const SERIAL_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 4);
         }
 
-        /// `0x1600` Receive process data.
-        ///
-        /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+        /// `0x1600` Receive process data (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
         pub mod rx_pdo_1600 {
             use super::*;
 
@@ -3178,9 +3030,7 @@ pub mod double {
             }
         }
 
-        /// `0x1A00` Transmit process data.
-        ///
-        /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+        /// `0x1A00` Transmit process data (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
         pub mod tx_pdo_1a00 {
             use super::*;
 
@@ -3316,10 +3166,8 @@ pub mod double {
 
             /// `0x1C12:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1C12, 0);
-
             /// `0x1C12:01` SubIndex 001. UINT16, ro, default 0x1600.
             pub const ENTRY_1: Entry<Family, u16, ReadOnly> = Entry::new(0x1C12, 1);
-
             /// `0x1C12:02` SubIndex 002. UINT16, ro, default 0x1601.
             pub const ENTRY_2: Entry<Family, u16, ReadOnly> = Entry::new(0x1C12, 2);
         }
@@ -3330,19 +3178,15 @@ pub mod double {
 
             /// `0x1C13:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1C13, 0);
-
             /// `0x1C13:01` SubIndex 001. UINT16, ro, default 0x1A00.
             pub const ENTRY_1: Entry<Family, u16, ReadOnly> = Entry::new(0x1C13, 1);
-
             /// `0x1C13:02` SubIndex 002. UINT16, ro, default 0x1A01.
             pub const ENTRY_2: Entry<Family, u16, ReadOnly> = Entry::new(0x1C13, 2);
         }
 
-        /// `0x6046` Vl velocity min max amount.
+        /// `0x6046` Vl velocity min max amount (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slowest and the fastest velocity of velocity mode, in either direction.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_min_max_amount {
             use super::*;
 
@@ -3362,11 +3206,9 @@ pub mod double {
             }
         }
 
-        /// `0x6048` Vl velocity acceleration.
+        /// `0x6048` Vl velocity acceleration (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slope of the acceleration ramp of velocity mode: a change of speed and the seconds it takes.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_acceleration {
             use super::*;
 
@@ -3386,11 +3228,9 @@ pub mod double {
             }
         }
 
-        /// `0x6049` Vl velocity deceleration.
+        /// `0x6049` Vl velocity deceleration (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slope of the deceleration ramp of velocity mode: a change of speed and the seconds it takes.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_deceleration {
             use super::*;
 
@@ -3410,11 +3250,9 @@ pub mod double {
             }
         }
 
-        /// `0x604A` Vl velocity quick stop.
+        /// `0x604A` Vl velocity quick stop (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slope of the quick stop ramp of velocity mode: a change of speed and the seconds it takes.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_quick_stop {
             use super::*;
 
@@ -3434,11 +3272,9 @@ pub mod double {
             }
         }
 
-        /// `0x604B` Vl set-point factor.
+        /// `0x604B` Vl set-point factor (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// A fraction that the set-point of velocity mode is multiplied by.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_set_point_factor {
             use super::*;
 
@@ -3458,11 +3294,9 @@ pub mod double {
             }
         }
 
-        /// `0x604C` Vl dimension factor.
+        /// `0x604C` Vl dimension factor (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// A fraction that relates the units of velocity mode to revolutions per minute.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_dimension_factor {
             use super::*;
 
@@ -3518,11 +3352,9 @@ pub mod double {
             axis.entry(0x607A, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x607B` Position range limit.
+        /// `0x607B` Position range limit (5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// Its second value is the length of a revolution of an endless axis; the first does nothing.
-        ///
-        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
@@ -3556,14 +3388,12 @@ pub mod double {
             axis.entry(0x607C, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x607D` Software position limit.
+        /// `0x607D` Software position limit (6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35).
         ///
         /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
-        ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
@@ -3621,11 +3451,9 @@ pub mod double {
             axis.entry(0x6085, 0x800, 0)
         }
 
-        /// `0x6091` Gear ratio.
+        /// `0x6091` Gear ratio (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// The gear ratio: revolutions of the motor for revolutions of the shaft. Set for HiRes Motion only.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod gear_ratio {
             use super::*;
 
@@ -3645,12 +3473,10 @@ pub mod double {
             }
         }
 
-        /// `0x6092` Feed constant.
+        /// `0x6092` Feed constant (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
         /// controller scales; set to the feed of the axis with HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
@@ -3670,12 +3496,10 @@ pub mod double {
             }
         }
 
-        /// `0x6099` Homing speeds.
+        /// `0x6099` Homing speeds (6.4.1.1, Tab. 34, Tab. 35).
         ///
         /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
         /// method says.
-        ///
-        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
@@ -3703,11 +3527,9 @@ pub mod double {
             axis.entry(0x609A, 0x800, 0)
         }
 
-        /// `0x60A4` Profile jerk.
+        /// `0x60A4` Profile jerk (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod profile_jerk {
             use super::*;
 
@@ -3765,11 +3587,9 @@ pub mod double {
             axis.entry(0x60BD, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x60C1` Interpolation data record.
+        /// `0x60C1` Interpolation data record (6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35).
         ///
         /// The set position of interpolated position mode: one value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
         ///
         /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
         /// does; with one entry, the kind shows in SDO information only.
@@ -3787,11 +3607,9 @@ pub mod double {
             }
         }
 
-        /// `0x60C2` Interpolation time period.
+        /// `0x60C2` Interpolation time period (6.10, Tab. 34, Tab. 35).
         ///
         /// The interval between set values. It goes to A291, which must be A150 or a multiple of it.
-        ///
-        /// Source: 6.10, Tab. 34, Tab. 35.
         pub mod interpolation_time_period {
             use super::*;
 
@@ -3811,11 +3629,9 @@ pub mod double {
             }
         }
 
-        /// `0x60C4` Interpolation data configuration.
+        /// `0x60C4` Interpolation data configuration (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The buffer for set-points of interpolated position mode.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod interpolation_data_configuration {
             use super::*;
 
@@ -3894,12 +3710,10 @@ pub mod double {
             axis.entry(0x60C6, 0x800, 0)
         }
 
-        /// `0x60D0` Touch probe source.
+        /// `0x60D0` Touch probe source (6.11, Tab. 34, Tab. 35).
         ///
         /// The sources of the signals 1 and 2, such as digital input DI1. Their values stand in a place that
         /// the manual does not contain.
-        ///
-        /// Source: 6.11, Tab. 34, Tab. 35.
         pub mod touch_probe_source {
             use super::*;
 
@@ -3919,11 +3733,9 @@ pub mod double {
             }
         }
 
-        /// `0x60E3` Supported homing methods.
+        /// `0x60E3` Supported homing methods (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The homing methods that the drive knows, one in each entry.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod supported_homing_methods {
             use super::*;
 
@@ -4033,11 +3845,9 @@ pub mod double {
             }
         }
 
-        /// `0x60E4` Additional position actual value / 1st value.
+        /// `0x60E4` Additional position actual value / 1st value (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The positions measured by further encoders, in position units.
-        ///
-        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -4064,13 +3874,11 @@ pub mod double {
             axis.entry(0x60F4, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x60FE` Digital outputs.
+        /// `0x60FE` Digital outputs (7.1.1, Tab. 30, Tab. 31).
         ///
         /// The levels of the digital outputs.
         ///
         /// In the standard mapping, but missing from the tables of objects.
-        ///
-        /// Source: 7.1.1, Tab. 30, Tab. 31.
         ///
         /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
         pub mod digital_outputs {
@@ -4082,8 +3890,6 @@ pub mod double {
             }
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            ///
-            /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
             pub const fn physical_outputs(axis: Axis) -> Entry<Family, PhysicalOutputs, ReadWrite, Rx> {
                 axis.entry(0x60FE, 0x800, 1)
             }
@@ -4098,12 +3904,11 @@ pub mod double {
         }
     }
 
-    /// `0x1600` Receive process data, 23 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+    /// `0x1600` Receive process data, 23 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.3.1,
+    /// 7.1.1, Tab. 30, Tab. 31).
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A225 for axis
     /// A, A226 for axis B.
-    ///
-    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1600 {
         /// `0x6040:00` Control word.
@@ -4210,12 +4015,11 @@ pub mod double {
         const MEMBERS: Members = Members::of(&[0, 2]);
     }
 
-    /// `0x1A00` Transmit process data, 29 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+    /// `0x1A00` Transmit process data, 29 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.3.2,
+    /// 7.1.2, Tab. 32, Tab. 33).
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A233 for axis
     /// A, A234 for axis B.
-    ///
-    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1A00 {
         /// `0x6041:00` Statusword.
@@ -4337,9 +4141,8 @@ pub mod double {
         const MEMBERS: Members = Members::of(&[0, 2]);
     }
 
-    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
-    ///
-    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.1, 7.1.1, Tab. 30, Tab.
+    /// 31).
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
@@ -4353,9 +4156,8 @@ pub mod double {
         const MEMBERS: Members = Members::of(&[0, 2]);
     }
 
-    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
-    ///
-    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.2, 7.1.2, Tab. 32, Tab.
+    /// 33).
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
@@ -4371,13 +4173,9 @@ pub mod double {
 
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
-    /// Assumed, address: no source gives it; behind the mailboxes.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers with watchdog.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
+    /// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: 24 entries of 4 bytes
+    /// for each of two axes. Assumed, control: three buffers with watchdog. Assumed, pdos: the manual says
+    /// one for each axis and direction, but not what 0x1C12 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Receive process data of each axis, in order.
@@ -4442,13 +4240,9 @@ pub mod double {
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
     ///
-    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+    /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
+    /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Transmit process data of each axis, in order.
@@ -4515,21 +4309,13 @@ pub mod double {
 
     /// What of the device bears on its bring-up, and on what process data it takes.
     ///
-    /// Assumed, address: no source gives it; behind the mailboxes.
+    /// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: 24 entries of 4 bytes
+    /// for each of two axes. Assumed, control: three buffers with watchdog. Assumed, pdos: the manual says
+    /// one for each axis and direction, but not what 0x1C12 holds.
     ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers with watchdog.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
-    ///
-    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+    /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
+    /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 double-axis, CiA 402",
         member: 0,
@@ -4565,35 +4351,29 @@ pub mod double {
     pub mod configurations {
         use super::*;
 
-        /// Standard mapping.
+        /// Standard mapping (5.2.12, 7.1).
         ///
         /// As delivered; 8 is the default of A541. The modes -1, 1, 3, 4, 6, 9 and 10 work with it, too.
-        ///
-        /// Source: 5.2.12, 7.1.
         pub const STANDARD: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x08], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x08], "mode of operation"),
         ];
 
-        /// Interpolated position mode.
+        /// Interpolated position mode (5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11).
         ///
         /// The mode cannot be used with the standard mapping, which lacks the interpolation data record. The
         /// same is to be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It
         /// can be customised.
-        ///
-        /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
         pub const INTERPOLATED_POSITION: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x07], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x07], "mode of operation"),
         ];
 
-        /// Velocity mode.
+        /// Velocity mode (5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21).
         ///
         /// The mode cannot be used with the standard mapping, which lacks its target velocity. The same is to
         /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
         /// customised.
-        ///
-        /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
         ///
         /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
         /// the table of the mapping.
@@ -4606,9 +4386,8 @@ pub mod double {
         pub mod interpolated_position {
             use super::*;
 
-            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601`.
-            ///
-            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.3.1,
+            /// 7.1.1, Tab. 30, Tab. 31).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -4677,9 +4456,8 @@ pub mod double {
                 const MEMBERS: Members = Members::of(&[0, 2]);
             }
 
-            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
-            ///
-            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.3.2,
+            /// 7.1.2, Tab. 32, Tab. 33).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -4839,9 +4617,8 @@ pub mod double {
         pub mod velocity {
             use super::*;
 
-            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601`.
-            ///
-            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.3.1,
+            /// 7.1.1, Tab. 30, Tab. 31).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -4910,9 +4687,8 @@ pub mod double {
                 const MEMBERS: Members = Members::of(&[0, 2]);
             }
 
-            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
-            ///
-            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.3.2,
+            /// 7.1.2, Tab. 32, Tab. 33).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -5069,40 +4845,32 @@ pub mod double {
     pub mod units {
         use super::*;
 
-        /// Position: a step is 45/131072 deg.
+        /// Position: a step is 45/131072 deg (5.1.4.2.2, 5.2.7.1).
         ///
         /// Increments, 2²⁰ to a revolution of the motor shaft as long as A585\[0\] and A585\[1\] have their
         /// presets, 1048576 and 1. No decimals: I06 stays 0. The degrees are those that TwinCAT is set to.
         ///
         /// The device holds the factor in 0x6092:01.
-        ///
-        /// Source: 5.1.4.2.2, 5.2.7.1.
         pub const POSITION: Unit<Family, Angle> = Unit::of::<87_890_625, 256>();
 
-        /// Velocity: a step is 1 inc/s / 10^A310.
+        /// Velocity: a step is 1 inc/s / 10^A310 (6.2, 6.4.3.3).
         ///
         /// The parameter A310 is a number of decimals. The firmware computes with REAL32, and process data is
         /// INT32.
         ///
-        /// Source: 6.2, 6.4.3.3.
-        ///
         /// Assumed, symbol: the manual gives none; the unit of position in a second.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
-        /// Acceleration: a step is 1 inc/s² / 10^A311.
+        /// Acceleration: a step is 1 inc/s² / 10^A311 (6.4.3.3).
         ///
         /// The parameter A311 is a number of decimals.
-        ///
-        /// Source: 6.4.3.3.
         ///
         /// Assumed, symbol: the manual gives none; the unit of position in a second squared.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
-        /// Jerk: a step is 1 inc/s³ / 10^A311.
+        /// Jerk: a step is 1 inc/s³ / 10^A311 (6.4.3.3).
         ///
         /// The parameter A311 is a number of decimals.
-        ///
-        /// Source: 6.4.3.3.
         ///
         /// Assumed, symbol: the manual gives none; the unit of position in a second cubed.
         pub const JERK: Scale = Scale::of::<1, 1>();
@@ -5181,59 +4949,16 @@ pub mod double {
                     rx_pdo_1600: sdo::List {
                         count: 8,
                         items: [
-                            0x6840_0010,
-                            0x6860_0008,
-                            0x687A_0020,
-                            0x68FF_0020,
-                            0x68B1_0020,
-                            0x68B2_0010,
-                            0x6871_0010,
-                            0x68FE_0120,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0
+                            0x6840_0010, 0x6860_0008, 0x687A_0020, 0x68FF_0020, 0x68B1_0020, 0x68B2_0010,
+                            0x6871_0010, 0x68FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
                         ]
                     },
                     tx_pdo_1a00: sdo::List {
                         count: 10,
                         items: [
-                            0x6841_0010,
-                            0x6861_0008,
-                            0x6864_0020,
-                            0x686C_0020,
-                            0x6877_0010,
-                            0x68F4_0020,
-                            0x68FD_0020,
-                            0x68E4_0120,
-                            0xA8C9_0010,
-                            0xA043_0010,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0
+                            0x6841_0010, 0x6861_0008, 0x6864_0020, 0x686C_0020, 0x6877_0010, 0x68F4_0020,
+                            0x68FD_0020, 0x68E4_0120, 0xA8C9_0010, 0xA043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                            0, 0, 0, 0
                         ]
                     },
                     ..AxisDictionary::DEFAULT
@@ -5251,30 +4976,8 @@ pub mod double {
             7 rx_pdo_1600: sdo::List<u32, 24> = sdo::List {
                 count: 8,
                 items: [
-                    0x6040_0010,
-                    0x6060_0008,
-                    0x607A_0020,
-                    0x60FF_0020,
-                    0x60B1_0020,
-                    0x60B2_0010,
-                    0x6071_0010,
-                    0x60FE_0120,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                    0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
                 ]
             }, list;
             /// `0x1A00` Transmit process data.
@@ -5283,30 +4986,9 @@ pub mod double {
             8 tx_pdo_1a00: sdo::List<u32, 24> = sdo::List {
                 count: 10,
                 items: [
-                    0x6041_0010,
-                    0x6061_0008,
-                    0x6064_0020,
-                    0x606C_0020,
-                    0x6077_0010,
-                    0x60F4_0020,
-                    0x60FD_0020,
-                    0x60E4_0120,
-                    0x28C9_0010,
-                    0x2043_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                    0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0
                 ]
             }, list;
             /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO.
@@ -5827,12 +5509,9 @@ pub mod single {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
-    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
-    ///
-    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
-    ///
-    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
-    /// for CiA 402, 2 for HiRes Motion.
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known. Assumed, product-code:
+    /// no source gives it: 2 stands for two axes, 1 for one. Assumed, revision: no source gives it, only
+    /// that it changes with the template (5.1.1.1): 1 stands for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct Single;
 
@@ -5868,6 +5547,9 @@ pub mod single {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
+        ///
+        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
+        /// those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -5877,25 +5559,16 @@ pub mod single {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const VENDOR_ID: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 1.
             ///
             /// The kind of device.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const PRODUCT_CODE: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 1.
             ///
             /// The version of what the device shows on the bus.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const REVISION_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -5904,166 +5577,114 @@ pub mod single {
             pub const SERIAL_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 4);
         }
 
-        /// `0x1600` Receive process data.
-        ///
-        /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+        /// `0x1600` Receive process data (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
         pub mod rx_pdo_1600 {
             use super::*;
 
             /// `0x1600:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1600, 0);
-
             /// `0x1600:01` SubIndex 001. UINT32, ro, default 0x60400010.
             pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 1);
-
             /// `0x1600:02` SubIndex 002. UINT32, ro, default 0x60600008.
             pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 2);
-
             /// `0x1600:03` SubIndex 003. UINT32, ro, default 0x607A0020.
             pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 3);
-
             /// `0x1600:04` SubIndex 004. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 4);
-
             /// `0x1600:05` SubIndex 005. UINT32, ro, default 0x60B10020.
             pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 5);
-
             /// `0x1600:06` SubIndex 006. UINT32, ro, default 0x60B20010.
             pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 6);
-
             /// `0x1600:07` SubIndex 007. UINT32, ro, default 0x60710010.
             pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 7);
-
             /// `0x1600:08` SubIndex 008. UINT32, ro, default 0x60FE0120.
             pub const ENTRY_8: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 8);
-
             /// `0x1600:09` SubIndex 009. UINT32, ro, default 0.
             pub const ENTRY_9: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 9);
-
             /// `0x1600:0A` SubIndex 010. UINT32, ro, default 0.
             pub const ENTRY_10: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 10);
-
             /// `0x1600:0B` SubIndex 011. UINT32, ro, default 0.
             pub const ENTRY_11: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 11);
-
             /// `0x1600:0C` SubIndex 012. UINT32, ro, default 0.
             pub const ENTRY_12: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 12);
-
             /// `0x1600:0D` SubIndex 013. UINT32, ro, default 0.
             pub const ENTRY_13: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 13);
-
             /// `0x1600:0E` SubIndex 014. UINT32, ro, default 0.
             pub const ENTRY_14: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 14);
-
             /// `0x1600:0F` SubIndex 015. UINT32, ro, default 0.
             pub const ENTRY_15: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 15);
-
             /// `0x1600:10` SubIndex 016. UINT32, ro, default 0.
             pub const ENTRY_16: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 16);
-
             /// `0x1600:11` SubIndex 017. UINT32, ro, default 0.
             pub const ENTRY_17: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 17);
-
             /// `0x1600:12` SubIndex 018. UINT32, ro, default 0.
             pub const ENTRY_18: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 18);
-
             /// `0x1600:13` SubIndex 019. UINT32, ro, default 0.
             pub const ENTRY_19: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 19);
-
             /// `0x1600:14` SubIndex 020. UINT32, ro, default 0.
             pub const ENTRY_20: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 20);
-
             /// `0x1600:15` SubIndex 021. UINT32, ro, default 0.
             pub const ENTRY_21: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 21);
-
             /// `0x1600:16` SubIndex 022. UINT32, ro, default 0.
             pub const ENTRY_22: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 22);
-
             /// `0x1600:17` SubIndex 023. UINT32, ro, default 0.
             pub const ENTRY_23: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 23);
-
             /// `0x1600:18` SubIndex 024. UINT32, ro, default 0.
             pub const ENTRY_24: Entry<Family, u32, ReadOnly> = Entry::new(0x1600, 24);
         }
 
-        /// `0x1A00` Transmit process data.
-        ///
-        /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+        /// `0x1A00` Transmit process data (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
         pub mod tx_pdo_1a00 {
             use super::*;
 
             /// `0x1A00:00` Highest subindex supported. UINT8, ro, default 10.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1A00, 0);
-
             /// `0x1A00:01` SubIndex 001. UINT32, ro, default 0x60410010.
             pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 1);
-
             /// `0x1A00:02` SubIndex 002. UINT32, ro, default 0x60610008.
             pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 2);
-
             /// `0x1A00:03` SubIndex 003. UINT32, ro, default 0x60640020.
             pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 3);
-
             /// `0x1A00:04` SubIndex 004. UINT32, ro, default 0x606C0020.
             pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 4);
-
             /// `0x1A00:05` SubIndex 005. UINT32, ro, default 0x60770010.
             pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 5);
-
             /// `0x1A00:06` SubIndex 006. UINT32, ro, default 0x60F40020.
             pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 6);
-
             /// `0x1A00:07` SubIndex 007. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 7);
-
             /// `0x1A00:08` SubIndex 008. UINT32, ro, default 0x60E40120.
             pub const ENTRY_8: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 8);
-
             /// `0x1A00:09` SubIndex 009. UINT32, ro, default 0x28C90010.
             pub const ENTRY_9: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 9);
-
             /// `0x1A00:0A` SubIndex 010. UINT32, ro, default 0x20430010.
             pub const ENTRY_10: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 10);
-
             /// `0x1A00:0B` SubIndex 011. UINT32, ro, default 0.
             pub const ENTRY_11: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 11);
-
             /// `0x1A00:0C` SubIndex 012. UINT32, ro, default 0.
             pub const ENTRY_12: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 12);
-
             /// `0x1A00:0D` SubIndex 013. UINT32, ro, default 0.
             pub const ENTRY_13: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 13);
-
             /// `0x1A00:0E` SubIndex 014. UINT32, ro, default 0.
             pub const ENTRY_14: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 14);
-
             /// `0x1A00:0F` SubIndex 015. UINT32, ro, default 0.
             pub const ENTRY_15: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 15);
-
             /// `0x1A00:10` SubIndex 016. UINT32, ro, default 0.
             pub const ENTRY_16: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 16);
-
             /// `0x1A00:11` SubIndex 017. UINT32, ro, default 0.
             pub const ENTRY_17: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 17);
-
             /// `0x1A00:12` SubIndex 018. UINT32, ro, default 0.
             pub const ENTRY_18: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 18);
-
             /// `0x1A00:13` SubIndex 019. UINT32, ro, default 0.
             pub const ENTRY_19: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 19);
-
             /// `0x1A00:14` SubIndex 020. UINT32, ro, default 0.
             pub const ENTRY_20: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 20);
-
             /// `0x1A00:15` SubIndex 021. UINT32, ro, default 0.
             pub const ENTRY_21: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 21);
-
             /// `0x1A00:16` SubIndex 022. UINT32, ro, default 0.
             pub const ENTRY_22: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 22);
-
             /// `0x1A00:17` SubIndex 023. UINT32, ro, default 0.
             pub const ENTRY_23: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 23);
-
             /// `0x1A00:18` SubIndex 024. UINT32, ro, default 0.
             pub const ENTRY_24: Entry<Family, u32, ReadOnly> = Entry::new(0x1A00, 24);
         }
@@ -6074,7 +5695,6 @@ pub mod single {
 
             /// `0x1C12:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1C12, 0);
-
             /// `0x1C12:01` SubIndex 001. UINT16, ro, default 0x1600.
             pub const ENTRY_1: Entry<Family, u16, ReadOnly> = Entry::new(0x1C12, 1);
         }
@@ -6085,118 +5705,93 @@ pub mod single {
 
             /// `0x1C13:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1C13, 0);
-
             /// `0x1C13:01` SubIndex 001. UINT16, ro, default 0x1A00.
             pub const ENTRY_1: Entry<Family, u16, ReadOnly> = Entry::new(0x1C13, 1);
         }
 
-        /// `0x6046` Vl velocity min max amount.
+        /// `0x6046` Vl velocity min max amount (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slowest and the fastest velocity of velocity mode, in either direction.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_min_max_amount {
             use super::*;
 
             /// `0x6046:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6046, 0);
-
             /// `0x6046:01` Vl velocity min amount. UINT32, rw, RxPDO and TxPDO.
             pub const VL_VELOCITY_MIN_AMOUNT: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6046, 1);
-
             /// `0x6046:02` Vl velocity max amount. UINT32, rw, RxPDO and TxPDO.
             pub const VL_VELOCITY_MAX_AMOUNT: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6046, 2);
         }
 
-        /// `0x6048` Vl velocity acceleration.
+        /// `0x6048` Vl velocity acceleration (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slope of the acceleration ramp of velocity mode: a change of speed and the seconds it takes.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_acceleration {
             use super::*;
 
             /// `0x6048:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6048, 0);
-
             /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6048, 1);
-
             /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<Family, u16, ReadWrite, RxTx> = Entry::new(0x6048, 2);
         }
 
-        /// `0x6049` Vl velocity deceleration.
+        /// `0x6049` Vl velocity deceleration (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slope of the deceleration ramp of velocity mode: a change of speed and the seconds it takes.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_deceleration {
             use super::*;
 
             /// `0x6049:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6049, 0);
-
             /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6049, 1);
-
             /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<Family, u16, ReadWrite, RxTx> = Entry::new(0x6049, 2);
         }
 
-        /// `0x604A` Vl velocity quick stop.
+        /// `0x604A` Vl velocity quick stop (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The slope of the quick stop ramp of velocity mode: a change of speed and the seconds it takes.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_velocity_quick_stop {
             use super::*;
 
             /// `0x604A:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x604A, 0);
-
             /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x604A, 1);
-
             /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<Family, u16, ReadWrite, RxTx> = Entry::new(0x604A, 2);
         }
 
-        /// `0x604B` Vl set-point factor.
+        /// `0x604B` Vl set-point factor (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// A fraction that the set-point of velocity mode is multiplied by.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_set_point_factor {
             use super::*;
 
             /// `0x604B:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x604B, 0);
-
             /// `0x604B:01` Vl set-point factor numerator. INT16, rw, RxPDO and TxPDO.
             pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<Family, i16, ReadWrite, RxTx> =
                 Entry::new(0x604B, 1);
-
             /// `0x604B:02` Vl set-point factor denominator. INT16, rw, RxPDO and TxPDO.
             pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<Family, i16, ReadWrite, RxTx> =
                 Entry::new(0x604B, 2);
         }
 
-        /// `0x604C` Vl dimension factor.
+        /// `0x604C` Vl dimension factor (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// A fraction that relates the units of velocity mode to revolutions per minute.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod vl_dimension_factor {
             use super::*;
 
             /// `0x604C:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x604C, 0);
-
             /// `0x604C:01` Vl dimension factor numerator. INT32, rw, RxPDO and TxPDO.
             pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<Family, i32, ReadWrite, RxTx> =
                 Entry::new(0x604C, 1);
-
             /// `0x604C:02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
             pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<Family, i32, ReadWrite, RxTx> =
                 Entry::new(0x604C, 2);
@@ -6233,11 +5828,9 @@ pub mod single {
         pub const TARGET_POSITION: Entry<Family, i32, ReadWrite, RxTx, Angle> =
             Entry::new(0x607A, 0).measured_in(units::POSITION);
 
-        /// `0x607B` Position range limit.
+        /// `0x607B` Position range limit (5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// Its second value is the length of a revolution of an endless axis; the first does nothing.
-        ///
-        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
@@ -6266,14 +5859,12 @@ pub mod single {
         pub const HOME_OFFSET: Entry<Family, i32, ReadWrite, RxTx, Angle> =
             Entry::new(0x607C, 0).measured_in(units::POSITION);
 
-        /// `0x607D` Software position limit.
+        /// `0x607D` Software position limit (6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35).
         ///
         /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
-        ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
@@ -6317,59 +5908,47 @@ pub mod single {
         /// How the drive gets slower on the quick stop ramp.
         pub const QUICK_STOP_DECELERATION: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6085, 0);
 
-        /// `0x6091` Gear ratio.
+        /// `0x6091` Gear ratio (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// The gear ratio: revolutions of the motor for revolutions of the shaft. Set for HiRes Motion only.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod gear_ratio {
             use super::*;
 
             /// `0x6091:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6091, 0);
-
             /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
             pub const MOTOR_REVOLUTIONS: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6091, 1);
-
             /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
             pub const SHAFT_REVOLUTIONS: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6091, 2);
         }
 
-        /// `0x6092` Feed constant.
+        /// `0x6092` Feed constant (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
         /// controller scales; set to the feed of the axis with HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
             /// `0x6092:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6092, 0);
-
             /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
             pub const FEED: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6092, 1);
-
             /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
             pub const SHAFT_REVOLUTIONS: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6092, 2);
         }
 
-        /// `0x6099` Homing speeds.
+        /// `0x6099` Homing speeds (6.4.1.1, Tab. 34, Tab. 35).
         ///
         /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
         /// method says.
-        ///
-        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
             /// `0x6099:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6099, 0);
-
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<Family, u32, ReadWrite, RxTx> =
                 Entry::new(0x6099, 1);
-
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<Family, u32, ReadWrite, RxTx> =
                 Entry::new(0x6099, 2);
@@ -6381,11 +5960,9 @@ pub mod single {
         /// Acceleration and deceleration of referencing.
         pub const HOMING_ACCELERATION: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x609A, 0);
 
-        /// `0x60A4` Profile jerk.
+        /// `0x60A4` Profile jerk (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod profile_jerk {
             use super::*;
 
@@ -6433,11 +6010,9 @@ pub mod single {
         pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Family, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60BD, 0).measured_in(units::POSITION);
 
-        /// `0x60C1` Interpolation data record.
+        /// `0x60C1` Interpolation data record (6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35).
         ///
         /// The set position of interpolated position mode: one value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
         ///
         /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
         /// does; with one entry, the kind shows in SDO information only.
@@ -6452,30 +6027,24 @@ pub mod single {
                 Entry::new(0x60C1, 1).measured_in(units::POSITION);
         }
 
-        /// `0x60C2` Interpolation time period.
+        /// `0x60C2` Interpolation time period (6.10, Tab. 34, Tab. 35).
         ///
         /// The interval between set values. It goes to A291, which must be A150 or a multiple of it.
-        ///
-        /// Source: 6.10, Tab. 34, Tab. 35.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60C2, 0);
-
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO.
             pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<Family, u8, ReadWrite, Rx> =
                 Entry::new(0x60C2, 1);
-
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO.
             pub const INTERPOLATION_TIME_INDEX: Entry<Family, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
-        /// `0x60C4` Interpolation data configuration.
+        /// `0x60C4` Interpolation data configuration (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The buffer for set-points of interpolated position mode.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod interpolation_data_configuration {
             use super::*;
 
@@ -6536,122 +6105,94 @@ pub mod single {
         /// The greatest deceleration allowed, whatever is asked for.
         pub const MAX_DECELERATION: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x60C6, 0);
 
-        /// `0x60D0` Touch probe source.
+        /// `0x60D0` Touch probe source (6.11, Tab. 34, Tab. 35).
         ///
         /// The sources of the signals 1 and 2, such as digital input DI1. Their values stand in a place that
         /// the manual does not contain.
-        ///
-        /// Source: 6.11, Tab. 34, Tab. 35.
         pub mod touch_probe_source {
             use super::*;
 
             /// `0x60D0:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60D0, 0);
-
             /// `0x60D0:01` Touch probe 1 source. INT16, rw.
             pub const TOUCH_PROBE_1_SOURCE: Entry<Family, i16, ReadWrite> = Entry::new(0x60D0, 1);
-
             /// `0x60D0:02` Touch probe 2 source. INT16, rw.
             pub const TOUCH_PROBE_2_SOURCE: Entry<Family, i16, ReadWrite> = Entry::new(0x60D0, 2);
         }
 
-        /// `0x60E3` Supported homing methods.
+        /// `0x60E3` Supported homing methods (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The homing methods that the drive knows, one in each entry.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod supported_homing_methods {
             use super::*;
 
             /// `0x60E3:00` Highest subindex supported. UINT8, ro, default 20.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60E3, 0);
-
             /// `0x60E3:01` 1st supported homing method. INT8, ro.
             pub const _1ST_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 1);
-
             /// `0x60E3:02` 2nd supported homing method. INT8, ro.
             pub const _2ND_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 2);
-
             /// `0x60E3:03` 3rd supported homing method. INT8, ro.
             pub const _3RD_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 3);
-
             /// `0x60E3:04` 4th supported homing method. INT8, ro.
             pub const _4TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 4);
-
             /// `0x60E3:05` 5th supported homing method. INT8, ro.
             pub const _5TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 5);
-
             /// `0x60E3:06` 6th supported homing method. INT8, ro.
             pub const _6TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 6);
-
             /// `0x60E3:07` 7th supported homing method. INT8, ro.
             pub const _7TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 7);
-
             /// `0x60E3:08` 8th supported homing method. INT8, ro.
             pub const _8TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 8);
-
             /// `0x60E3:09` 9th supported homing method. INT8, ro.
             pub const _9TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 9);
-
             /// `0x60E3:0A` 10th supported homing method. INT8, ro.
             pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 10);
-
             /// `0x60E3:0B` 11th supported homing method. INT8, ro.
             pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 11);
-
             /// `0x60E3:0C` 12th supported homing method. INT8, ro.
             pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 12);
-
             /// `0x60E3:0D` 13th supported homing method. INT8, ro.
             pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 13);
-
             /// `0x60E3:0E` 14th supported homing method. INT8, ro.
             pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 14);
-
             /// `0x60E3:0F` 15th supported homing method. INT8, ro.
             pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 15);
-
             /// `0x60E3:10` 16th supported homing method. INT8, ro.
             pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 16);
-
             /// `0x60E3:11` 17th supported homing method. INT8, ro.
             pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 17);
-
             /// `0x60E3:12` 18th supported homing method. INT8, ro.
             pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 18);
-
             /// `0x60E3:13` 19th supported homing method. INT8, ro.
             pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 19);
-
             /// `0x60E3:14` 20th supported homing method. INT8, ro.
             pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<Family, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 20);
         }
 
-        /// `0x60E4` Additional position actual value / 1st value.
+        /// `0x60E4` Additional position actual value / 1st value (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The positions measured by further encoders, in position units.
-        ///
-        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -6672,13 +6213,11 @@ pub mod single {
         pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<Family, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60F4, 0).measured_in(units::POSITION);
 
-        /// `0x60FE` Digital outputs.
+        /// `0x60FE` Digital outputs (7.1.1, Tab. 30, Tab. 31).
         ///
         /// The levels of the digital outputs.
         ///
         /// In the standard mapping, but missing from the tables of objects.
-        ///
-        /// Source: 7.1.1, Tab. 30, Tab. 31.
         ///
         /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
         pub mod digital_outputs {
@@ -6686,10 +6225,7 @@ pub mod single {
 
             /// `0x60FE:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60FE, 0);
-
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            ///
-            /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
             pub const PHYSICAL_OUTPUTS: Entry<Family, PhysicalOutputs, ReadWrite, Rx> = Entry::new(0x60FE, 1);
         }
 
@@ -6700,12 +6236,10 @@ pub mod single {
         pub const TARGET_VELOCITY: Entry<Family, i32, ReadWrite, RxTx> = Entry::new(0x60FF, 0);
     }
 
-    /// `0x1600` Receive process data, 23 bytes.
+    /// `0x1600` Receive process data, 23 bytes (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A225 for axis
     /// A, A226 for axis B.
-    ///
-    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1600 {
         /// `0x6040:00` Control word.
@@ -6796,12 +6330,10 @@ pub mod single {
         const MEMBERS: Members = Members::of(&[1, 3]);
     }
 
-    /// `0x1A00` Transmit process data, 29 bytes.
+    /// `0x1A00` Transmit process data, 29 bytes (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A233 for axis
     /// A, A234 for axis B.
-    ///
-    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1A00 {
         /// `0x6041:00` Statusword.
@@ -6907,9 +6439,8 @@ pub mod single {
         const MEMBERS: Members = Members::of(&[1, 3]);
     }
 
-    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
-    ///
-    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.1, 7.1.1, Tab. 30, Tab.
+    /// 31).
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
@@ -6923,9 +6454,8 @@ pub mod single {
         const MEMBERS: Members = Members::of(&[1, 3]);
     }
 
-    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
-    ///
-    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.2, 7.1.2, Tab. 32, Tab.
+    /// 33).
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
@@ -6941,13 +6471,9 @@ pub mod single {
 
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
-    /// Assumed, address: no source gives it; behind the mailboxes.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers with watchdog.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
+    /// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: 24 entries of 4 bytes
+    /// for each of two axes. Assumed, control: three buffers with watchdog. Assumed, pdos: the manual says
+    /// one for each axis and direction, but not what 0x1C12 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Receive process data.
@@ -6998,13 +6524,9 @@ pub mod single {
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
-    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+    /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
+    /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Transmit process data.
@@ -7055,21 +6577,13 @@ pub mod single {
 
     /// What of the device bears on its bring-up, and on what process data it takes.
     ///
-    /// Assumed, address: no source gives it; behind the mailboxes.
+    /// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: 24 entries of 4 bytes
+    /// for each of two axes. Assumed, control: three buffers with watchdog. Assumed, pdos: the manual says
+    /// one for each axis and direction, but not what 0x1C12 holds.
     ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers with watchdog.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
-    ///
-    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+    /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
+    /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 single-axis, CiA 402",
         member: 1,
@@ -7102,30 +6616,24 @@ pub mod single {
     pub mod configurations {
         use super::*;
 
-        /// Standard mapping.
+        /// Standard mapping (5.2.12, 7.1).
         ///
         /// As delivered; 8 is the default of A541. The modes -1, 1, 3, 4, 6, 9 and 10 work with it, too.
-        ///
-        /// Source: 5.2.12, 7.1.
         pub const STANDARD: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x08], "mode of operation")];
 
-        /// Interpolated position mode.
+        /// Interpolated position mode (5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11).
         ///
         /// The mode cannot be used with the standard mapping, which lacks the interpolation data record. The
         /// same is to be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It
         /// can be customised.
-        ///
-        /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
         pub const INTERPOLATED_POSITION: [Write; 1] =
             [Write::new(Address::new(0x6060, 0), &[0x07], "mode of operation")];
 
-        /// Velocity mode.
+        /// Velocity mode (5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21).
         ///
         /// The mode cannot be used with the standard mapping, which lacks its target velocity. The same is to
         /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
         /// customised.
-        ///
-        /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
         ///
         /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
         /// the table of the mapping.
@@ -7135,9 +6643,7 @@ pub mod single {
         pub mod interpolated_position {
             use super::*;
 
-            /// `0x1600` Receive process data, 7 bytes.
-            ///
-            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            /// `0x1600` Receive process data, 7 bytes (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -7191,9 +6697,7 @@ pub mod single {
                 const MEMBERS: Members = Members::of(&[1, 3]);
             }
 
-            /// `0x1A00` Transmit process data, 7 bytes.
-            ///
-            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            /// `0x1A00` Transmit process data, 7 bytes (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -7318,9 +6822,7 @@ pub mod single {
         pub mod velocity {
             use super::*;
 
-            /// `0x1600` Receive process data, 5 bytes.
-            ///
-            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            /// `0x1600` Receive process data, 5 bytes (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -7374,9 +6876,7 @@ pub mod single {
                 const MEMBERS: Members = Members::of(&[1, 3]);
             }
 
-            /// `0x1A00` Transmit process data, 5 bytes.
-            ///
-            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            /// `0x1A00` Transmit process data, 5 bytes (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -7549,30 +7049,8 @@ pub mod single {
             5 rx_pdo_1600: sdo::List<u32, 24> = sdo::List {
                 count: 8,
                 items: [
-                    0x6040_0010,
-                    0x6060_0008,
-                    0x607A_0020,
-                    0x60FF_0020,
-                    0x60B1_0020,
-                    0x60B2_0010,
-                    0x6071_0010,
-                    0x60FE_0120,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                    0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
                 ]
             }, list;
             /// `0x1A00` Transmit process data.
@@ -7581,30 +7059,9 @@ pub mod single {
             6 tx_pdo_1a00: sdo::List<u32, 24> = sdo::List {
                 count: 10,
                 items: [
-                    0x6041_0010,
-                    0x6061_0008,
-                    0x6064_0020,
-                    0x606C_0020,
-                    0x6077_0010,
-                    0x60F4_0020,
-                    0x60FD_0020,
-                    0x60E4_0120,
-                    0x28C9_0010,
-                    0x2043_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                    0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0
                 ]
             }, list;
             /// `0x1C32` SM output parameter.
@@ -8080,12 +7537,9 @@ pub mod double_hires {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
-    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
-    ///
-    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
-    ///
-    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
-    /// for CiA 402, 2 for HiRes Motion.
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known. Assumed, product-code:
+    /// no source gives it: 2 stands for two axes, 1 for one. Assumed, revision: no source gives it, only
+    /// that it changes with the template (5.1.1.1): 1 stands for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct DoubleHires;
 
@@ -8121,6 +7575,9 @@ pub mod double_hires {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
+        ///
+        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
+        /// those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -8130,25 +7587,16 @@ pub mod double_hires {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const VENDOR_ID: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 2.
             ///
             /// The kind of device.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const PRODUCT_CODE: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 2.
             ///
             /// The version of what the device shows on the bus.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const REVISION_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -8193,11 +7641,9 @@ pub mod double_hires {
             axis.entry(0x607A, 0x800, 0)
         }
 
-        /// `0x607B` Position range limit.
+        /// `0x607B` Position range limit (5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// Its second value is the length of a revolution of an endless axis; the first does nothing.
-        ///
-        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
@@ -8231,14 +7677,12 @@ pub mod double_hires {
             axis.entry(0x607C, 0x800, 0)
         }
 
-        /// `0x607D` Software position limit.
+        /// `0x607D` Software position limit (6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35).
         ///
         /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
-        ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
@@ -8296,12 +7740,10 @@ pub mod double_hires {
             axis.entry(0x6085, 0x800, 0)
         }
 
-        /// `0x6092` Feed constant.
+        /// `0x6092` Feed constant (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
         /// controller scales; set to the feed of the axis with HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
@@ -8321,12 +7763,10 @@ pub mod double_hires {
             }
         }
 
-        /// `0x6099` Homing speeds.
+        /// `0x6099` Homing speeds (6.4.1.1, Tab. 34, Tab. 35).
         ///
         /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
         /// method says.
-        ///
-        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
@@ -8354,11 +7794,9 @@ pub mod double_hires {
             axis.entry(0x609A, 0x800, 0)
         }
 
-        /// `0x60A4` Profile jerk.
+        /// `0x60A4` Profile jerk (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod profile_jerk {
             use super::*;
 
@@ -8416,11 +7854,9 @@ pub mod double_hires {
             axis.entry(0x60BD, 0x800, 0)
         }
 
-        /// `0x60C1` Interpolation data record.
+        /// `0x60C1` Interpolation data record (6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35).
         ///
         /// The set position of interpolated position mode: one value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
         ///
         /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
         /// does; with one entry, the kind shows in SDO information only.
@@ -8454,11 +7890,9 @@ pub mod double_hires {
             axis.entry(0x60C6, 0x800, 0)
         }
 
-        /// `0x60E4` Additional position actual value / 1st value.
+        /// `0x60E4` Additional position actual value / 1st value (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The positions measured by further encoders, in position units.
-        ///
-        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -8496,21 +7930,13 @@ pub mod double_hires {
 
     /// What of the device bears on its bring-up, and on what process data it takes.
     ///
-    /// Assumed, address: no source gives it; behind the mailboxes.
+    /// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: 24 entries of 4 bytes
+    /// for each of two axes. Assumed, control: three buffers with watchdog. Assumed, pdos: the manual says
+    /// one for each axis and direction, but not what 0x1C12 holds.
     ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers with watchdog.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
-    ///
-    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+    /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
+    /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 double-axis, CiA 402 HiRes Motion",
         member: 2,
@@ -8554,39 +7980,31 @@ pub mod double_hires {
     pub mod units {
         use super::*;
 
-        /// Position: a step is 1 user unit / 10^I06.
+        /// Position: a step is 1 user unit / 10^I06 (5.1.4.2.3).
         ///
         /// The unit of I09 with the decimals of I06, scaled in the drive by gear ratio and feed constant.
         ///
         /// The device holds the factor in 0x6092:01.
-        ///
-        /// Source: 5.1.4.2.3.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity: a step is 1 user unit/s / 10^A310.
+        /// Velocity: a step is 1 user unit/s / 10^A310 (6.2, 6.4.3.3).
         ///
         /// The parameter A310 is a number of decimals. The firmware computes with REAL32, and process data is
         /// INT32.
         ///
-        /// Source: 6.2, 6.4.3.3.
-        ///
         /// Assumed, symbol: the manual gives none; the unit of position in a second.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
-        /// Acceleration: a step is 1 user unit/s² / 10^A311.
+        /// Acceleration: a step is 1 user unit/s² / 10^A311 (6.4.3.3).
         ///
         /// The parameter A311 is a number of decimals.
-        ///
-        /// Source: 6.4.3.3.
         ///
         /// Assumed, symbol: the manual gives none; the unit of position in a second squared.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
-        /// Jerk: a step is 1 user unit/s³ / 10^A311.
+        /// Jerk: a step is 1 user unit/s³ / 10^A311 (6.4.3.3).
         ///
         /// The parameter A311 is a number of decimals.
-        ///
-        /// Source: 6.4.3.3.
         ///
         /// Assumed, symbol: the manual gives none; the unit of position in a second cubed.
         pub const JERK: Scale = Scale::of::<1, 1>();
@@ -8668,59 +8086,16 @@ pub mod double_hires {
                     rx_pdo_1600: sdo::List {
                         count: 8,
                         items: [
-                            0x6840_0010,
-                            0x6860_0008,
-                            0x687A_0020,
-                            0x68FF_0020,
-                            0x68B1_0020,
-                            0x68B2_0010,
-                            0x6871_0010,
-                            0x68FE_0120,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0
+                            0x6840_0010, 0x6860_0008, 0x687A_0020, 0x68FF_0020, 0x68B1_0020, 0x68B2_0010,
+                            0x6871_0010, 0x68FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
                         ]
                     },
                     tx_pdo_1a00: sdo::List {
                         count: 10,
                         items: [
-                            0x6841_0010,
-                            0x6861_0008,
-                            0x6864_0020,
-                            0x686C_0020,
-                            0x6877_0010,
-                            0x68F4_0020,
-                            0x68FD_0020,
-                            0x68E4_0120,
-                            0xA8C9_0010,
-                            0xA043_0010,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0,
-                            0
+                            0x6841_0010, 0x6861_0008, 0x6864_0020, 0x686C_0020, 0x6877_0010, 0x68F4_0020,
+                            0x68FD_0020, 0x68E4_0120, 0xA8C9_0010, 0xA043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                            0, 0, 0, 0
                         ]
                     },
                     ..AxisDictionary::DEFAULT
@@ -8738,30 +8113,8 @@ pub mod double_hires {
             7 rx_pdo_1600: sdo::List<u32, 24> = sdo::List {
                 count: 8,
                 items: [
-                    0x6040_0010,
-                    0x6060_0008,
-                    0x607A_0020,
-                    0x60FF_0020,
-                    0x60B1_0020,
-                    0x60B2_0010,
-                    0x6071_0010,
-                    0x60FE_0120,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                    0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
                 ]
             }, list;
             /// `0x1A00` Transmit process data.
@@ -8770,30 +8123,9 @@ pub mod double_hires {
             8 tx_pdo_1a00: sdo::List<u32, 24> = sdo::List {
                 count: 10,
                 items: [
-                    0x6041_0010,
-                    0x6061_0008,
-                    0x6064_0020,
-                    0x606C_0020,
-                    0x6077_0010,
-                    0x60F4_0020,
-                    0x60FD_0020,
-                    0x60E4_0120,
-                    0x28C9_0010,
-                    0x2043_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                    0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0
                 ]
             }, list;
             /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO.
@@ -9146,12 +8478,9 @@ pub mod single_hires {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
-    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
-    ///
-    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
-    ///
-    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
-    /// for CiA 402, 2 for HiRes Motion.
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known. Assumed, product-code:
+    /// no source gives it: 2 stands for two axes, 1 for one. Assumed, revision: no source gives it, only
+    /// that it changes with the template (5.1.1.1): 1 stands for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct SingleHires;
 
@@ -9187,6 +8516,9 @@ pub mod single_hires {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
+        ///
+        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
+        /// those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -9196,25 +8528,16 @@ pub mod single_hires {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const VENDOR_ID: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 1.
             ///
             /// The kind of device.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const PRODUCT_CODE: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 2.
             ///
             /// The version of what the device shows on the bus.
-            ///
-            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
-            /// identity.
             pub const REVISION_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -9251,11 +8574,9 @@ pub mod single_hires {
         /// position of cyclic synchronous position mode.
         pub const TARGET_POSITION: Entry<Family, i32, ReadWrite, RxTx> = Entry::new(0x607A, 0);
 
-        /// `0x607B` Position range limit.
+        /// `0x607B` Position range limit (5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// Its second value is the length of a revolution of an endless axis; the first does nothing.
-        ///
-        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
@@ -9281,23 +8602,19 @@ pub mod single_hires {
         /// waits for, it takes the place of the actual position I80.
         pub const HOME_OFFSET: Entry<Family, i32, ReadWrite, RxTx> = Entry::new(0x607C, 0);
 
-        /// `0x607D` Software position limit.
+        /// `0x607D` Software position limit (6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35).
         ///
         /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
-        ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
             /// `0x607D:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x607D, 0);
-
             /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub const MIN_POSITION_RANGE_LIMIT: Entry<Family, i32, ReadWrite, RxTx> = Entry::new(0x607D, 1);
-
             /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub const MAX_POSITION_RANGE_LIMIT: Entry<Family, i32, ReadWrite, RxTx> = Entry::new(0x607D, 2);
         }
@@ -9330,41 +8647,33 @@ pub mod single_hires {
         /// How the drive gets slower on the quick stop ramp.
         pub const QUICK_STOP_DECELERATION: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6085, 0);
 
-        /// `0x6092` Feed constant.
+        /// `0x6092` Feed constant (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
         /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
         /// controller scales; set to the feed of the axis with HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
             /// `0x6092:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6092, 0);
-
             /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO.
             pub const FEED: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6092, 1);
-
             /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
             pub const SHAFT_REVOLUTIONS: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x6092, 2);
         }
 
-        /// `0x6099` Homing speeds.
+        /// `0x6099` Homing speeds (6.4.1.1, Tab. 34, Tab. 35).
         ///
         /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
         /// method says.
-        ///
-        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
             /// `0x6099:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x6099, 0);
-
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<Family, u32, ReadWrite, RxTx> =
                 Entry::new(0x6099, 1);
-
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<Family, u32, ReadWrite, RxTx> =
                 Entry::new(0x6099, 2);
@@ -9376,11 +8685,9 @@ pub mod single_hires {
         /// Acceleration and deceleration of referencing.
         pub const HOMING_ACCELERATION: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x609A, 0);
 
-        /// `0x60A4` Profile jerk.
+        /// `0x60A4` Profile jerk (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod profile_jerk {
             use super::*;
 
@@ -9424,11 +8731,9 @@ pub mod single_hires {
         /// The position at the falling edge of signal 2; measurement 2 works as 1 does.
         pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x60BD, 0);
 
-        /// `0x60C1` Interpolation data record.
+        /// `0x60C1` Interpolation data record (6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35).
         ///
         /// The set position of interpolated position mode: one value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
         ///
         /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
         /// does; with one entry, the kind shows in SDO information only.
@@ -9437,7 +8742,6 @@ pub mod single_hires {
 
             /// `0x60C1:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60C1, 0);
-
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub const _1ST_SET_POINT: Entry<Family, i32, ReadWrite, RxTx> = Entry::new(0x60C1, 1);
         }
@@ -9454,17 +8758,14 @@ pub mod single_hires {
         /// The greatest deceleration allowed, whatever is asked for.
         pub const MAX_DECELERATION: Entry<Family, u32, ReadWrite, RxTx> = Entry::new(0x60C6, 0);
 
-        /// `0x60E4` Additional position actual value / 1st value.
+        /// `0x60E4` Additional position actual value / 1st value (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The positions measured by further encoders, in position units.
-        ///
-        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
             /// `0x60E4:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60E4, 0);
-
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
             pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<Family, i32, ReadOnly, Tx> =
                 Entry::new(0x60E4, 1);
@@ -9487,21 +8788,13 @@ pub mod single_hires {
 
     /// What of the device bears on its bring-up, and on what process data it takes.
     ///
-    /// Assumed, address: no source gives it; behind the mailboxes.
+    /// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: 24 entries of 4 bytes
+    /// for each of two axes. Assumed, control: three buffers with watchdog. Assumed, pdos: the manual says
+    /// one for each axis and direction, but not what 0x1C12 holds.
     ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers with watchdog.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
-    ///
-    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-    ///
-    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
-    ///
-    /// Assumed, control: three buffers.
-    ///
-    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+    /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
+    /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 single-axis, CiA 402 HiRes Motion",
         member: 3,
@@ -9592,30 +8885,8 @@ pub mod single_hires {
             5 rx_pdo_1600: sdo::List<u32, 24> = sdo::List {
                 count: 8,
                 items: [
-                    0x6040_0010,
-                    0x6060_0008,
-                    0x607A_0020,
-                    0x60FF_0020,
-                    0x60B1_0020,
-                    0x60B2_0010,
-                    0x6071_0010,
-                    0x60FE_0120,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                    0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
                 ]
             }, list;
             /// `0x1A00` Transmit process data.
@@ -9624,30 +8895,9 @@ pub mod single_hires {
             6 tx_pdo_1a00: sdo::List<u32, 24> = sdo::List {
                 count: 10,
                 items: [
-                    0x6041_0010,
-                    0x6061_0008,
-                    0x6064_0020,
-                    0x606C_0020,
-                    0x6077_0010,
-                    0x60F4_0020,
-                    0x60FD_0020,
-                    0x60E4_0120,
-                    0x28C9_0010,
-                    0x2043_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                    0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0
                 ]
             }, list;
             /// `0x1C32` SM output parameter.

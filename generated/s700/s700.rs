@@ -85,6 +85,8 @@ pub mod objects {
     /// `0x1018` Identity object.
     ///
     /// Which device it is; the same as in the EEPROM.
+    ///
+    /// Assumed, default of 1 to 4: not in the manual; a master compares it with the configuration.
     pub mod identity_object {
         use super::*;
 
@@ -94,35 +96,25 @@ pub mod objects {
         /// `0x1018:01` Vendor ID. UINT32, ro, default 106.
         ///
         /// The number that the ETG gave the manufacturer.
-        ///
-        /// Assumed, default: not in the manual; a master compares it with the configuration.
         pub const VENDOR_ID: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 1);
 
         /// `0x1018:02` Product code. UINT32, ro, default 0x03000600.
         ///
         /// The kind of device.
-        ///
-        /// Assumed, default: not in the manual; a master compares it with the configuration.
         pub const PRODUCT_CODE: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 2);
 
         /// `0x1018:03` Revision number. UINT32, ro, default 0.
         ///
         /// The version of what the device shows on the bus.
-        ///
-        /// Assumed, default: not in the manual; a master compares it with the configuration.
         pub const REVISION_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 3);
 
         /// `0x1018:04` Serial number. UINT32, ro, default 0.
         ///
         /// The single device; 0 if it has no number of its own.
-        ///
-        /// Assumed, default: not in the manual; a master compares it with the configuration.
         pub const SERIAL_NUMBER: Entry<Family, u32, ReadOnly> = Entry::new(0x1018, 4);
     }
 
-    /// `0x1600` Free mapping.
-    ///
-    /// Source: 3.6, 3.6.1.
+    /// `0x1600` Free mapping (3.6, 3.6.1).
     ///
     /// Of these only: S300, S700.
     pub mod rx_pdo_1600 {
@@ -130,280 +122,200 @@ pub mod objects {
 
         /// `0x1600:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadWrite> = Entry::new(0x1600, 0);
-
         /// `0x1600:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60400010.
         pub const ENTRY_1: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 1);
-
         /// `0x1600:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_2: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 2);
-
         /// `0x1600:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_3: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 3);
-
         /// `0x1600:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_4: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 4);
-
         /// `0x1600:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_5: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 5);
-
         /// `0x1600:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_6: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 6);
-
         /// `0x1600:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_7: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 7);
-
         /// `0x1600:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_8: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 8);
-
         /// `0x1600:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_9: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 9);
-
         /// `0x1600:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_10: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 10);
-
         /// `0x1600:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_11: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 11);
-
         /// `0x1600:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_12: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 12);
-
         /// `0x1600:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_13: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 13);
-
         /// `0x1600:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_14: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 14);
-
         /// `0x1600:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_15: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 15);
-
         /// `0x1600:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_16: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 16);
-
         /// `0x1600:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_17: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 17);
-
         /// `0x1600:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_18: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 18);
-
         /// `0x1600:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_19: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 19);
-
         /// `0x1600:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_20: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 20);
-
         /// `0x1600:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_21: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 21);
-
         /// `0x1600:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_22: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 22);
-
         /// `0x1600:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_23: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 23);
-
         /// `0x1600:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_24: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 24);
-
         /// `0x1600:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_25: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 25);
-
         /// `0x1600:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_26: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 26);
-
         /// `0x1600:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_27: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 27);
-
         /// `0x1600:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_28: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 28);
-
         /// `0x1600:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_29: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 29);
-
         /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_30: Entry<Family, u32, ReadWrite> = Entry::new(0x1600, 30);
     }
 
-    /// `0x1701` Position interface.
-    ///
-    /// Source: 3.5, item 1.
+    /// `0x1701` Position interface (3.5, item 1).
     pub mod rx_pdo_1701 {
         use super::*;
 
         /// `0x1701:00` Highest subindex supported. UINT8, ro, default 2.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1701, 0);
-
         /// `0x1701:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1701, 1);
-
         /// `0x1701:02` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1701, 2);
     }
 
-    /// `0x1702` Velocity interface.
-    ///
-    /// Source: 3.5, item 2.
+    /// `0x1702` Velocity interface (3.5, item 2).
     pub mod rx_pdo_1702 {
         use super::*;
 
         /// `0x1702:00` Highest subindex supported. UINT8, ro, default 2.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1702, 0);
-
         /// `0x1702:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1702, 1);
-
         /// `0x1702:02` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1702, 2);
     }
 
-    /// `0x1703` Torque interface.
-    ///
-    /// Source: 3.5, item 3.
+    /// `0x1703` Torque interface (3.5, item 3).
     pub mod rx_pdo_1703 {
         use super::*;
 
         /// `0x1703:00` Highest subindex supported. UINT8, ro, default 2.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1703, 0);
-
         /// `0x1703:01` Current setpoint. UINT32, ro, default 0x60710010.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1703, 1);
-
         /// `0x1703:02` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1703, 2);
     }
 
-    /// `0x1704` Position, velocity, torque interface with operation mode switch.
-    ///
-    /// Source: 3.5, item 4.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch (3.5, item 4).
     pub mod rx_pdo_1704 {
         use super::*;
 
         /// `0x1704:00` Highest subindex supported. UINT8, ro, default 5.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1704, 0);
-
         /// `0x1704:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1704, 1);
-
         /// `0x1704:02` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1704, 2);
-
         /// `0x1704:03` Current setpoint. UINT32, ro, default 0x60710010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1704, 3);
-
         /// `0x1704:04` OPMODE request. UINT32, ro, default 0x23520010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1704, 4);
-
         /// `0x1704:05` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1704, 5);
     }
 
-    /// `0x1705` Position, velocity interface with torque.
-    ///
-    /// Source: 3.5, item 5.
+    /// `0x1705` Position, velocity interface with torque (3.5, item 5).
     pub mod rx_pdo_1705 {
         use super::*;
 
         /// `0x1705:00` Highest subindex supported. UINT8, ro, default 5.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1705, 0);
-
         /// `0x1705:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1705, 1);
-
         /// `0x1705:02` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1705, 2);
-
         /// `0x1705:03` Additive current setpoint. UINT32, ro, default 0x23070010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1705, 3);
-
         /// `0x1705:04` Current limit. UINT32, ro, default 0x20610010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1705, 4);
-
         /// `0x1705:05` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1705, 5);
     }
 
-    /// `0x1706` Position, velocity interface with latch.
-    ///
-    /// Source: 3.5, item 6.
+    /// `0x1706` Position, velocity interface with latch (3.5, item 6).
     pub mod rx_pdo_1706 {
         use super::*;
 
         /// `0x1706:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1706, 0);
-
         /// `0x1706:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1706, 1);
-
         /// `0x1706:02` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1706, 2);
-
         /// `0x1706:03` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1706, 3);
-
         /// `0x1706:04` Latch controlword. UINT32, ro, default 0x20A40010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1706, 4);
     }
 
-    /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
-    ///
-    /// Source: 3.5, item 7.
+    /// `0x1707` Position 1 and 2, velocity, torque interface with latch (3.5, item 7).
     pub mod rx_pdo_1707 {
         use super::*;
 
         /// `0x1707:00` Highest subindex supported. UINT8, ro, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1707, 0);
-
         /// `0x1707:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1707, 1);
-
         /// `0x1707:02` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1707, 2);
-
         /// `0x1707:03` Current setpoint. UINT32, ro, default 0x60710010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1707, 3);
-
         /// `0x1707:04` Current limit. UINT32, ro, default 0x20610010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1707, 4);
-
         /// `0x1707:05` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1707, 5);
-
         /// `0x1707:06` Latch controlword. UINT32, ro, default 0x20A40010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1707, 6);
     }
 
-    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
-    ///
-    /// Source: 3.5, item 8.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch (3.5,
+    /// item 8).
     pub mod rx_pdo_1708 {
         use super::*;
 
         /// `0x1708:00` Highest subindex supported. UINT8, ro, default 7.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1708, 0);
-
         /// `0x1708:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 1);
-
         /// `0x1708:02` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 2);
-
         /// `0x1708:03` Current setpoint. UINT32, ro, default 0x60710010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 3);
-
         /// `0x1708:04` Current limit. UINT32, ro, default 0x20610010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 4);
-
         /// `0x1708:05` OPMODE request. UINT32, ro, default 0x23520010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 5);
-
         /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 6);
-
         /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
         pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1708, 7);
     }
 
-    /// `0x170A` Position interface with digital I/O.
-    ///
-    /// Source: 3.5, item 9.
+    /// `0x170A` Position interface with digital I/O (3.5, item 9).
     ///
     /// Of these only: S300, S700.
     pub mod rx_pdo_170a {
@@ -411,20 +323,15 @@ pub mod objects {
 
         /// `0x170A:00` Highest subindex supported. UINT8, ro, default 3.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x170A, 0);
-
         /// `0x170A:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x170A, 1);
-
         /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x170A, 2);
-
         /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x170A, 3);
     }
 
-    /// `0x1710` Motion tasks with I/O and actual values.
-    ///
-    /// Source: 3.5, item 10.
+    /// `0x1710` Motion tasks with I/O and actual values (3.5, item 10).
     ///
     /// Of these only: S300, S700.
     pub mod rx_pdo_1710 {
@@ -432,35 +339,25 @@ pub mod objects {
 
         /// `0x1710:00` Highest subindex supported. UINT8, ro, default 8.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1710, 0);
-
         /// `0x1710:01` Motion task target position. UINT32, ro, default 0x607A0020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 1);
-
         /// `0x1710:02` Motion task target velocity. UINT32, ro, default 0x60810020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 2);
-
         /// `0x1710:03` Motion task control word. UINT32, ro, default 0x23030020.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 3);
-
         /// `0x1710:04` Motion task acceleration. UINT32, ro, default 0x60830020.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 4);
-
         /// `0x1710:05` Motion task deceleration. UINT32, ro, default 0x60840020.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 5);
-
         /// `0x1710:06` Motion task profile number. UINT32, ro, default 0x60860010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 6);
-
         /// `0x1710:07` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 7);
-
         /// `0x1710:08` Latch controlword. UINT32, ro, default 0x20A40010.
         pub const ENTRY_8: Entry<Family, u32, ReadOnly> = Entry::new(0x1710, 8);
     }
 
-    /// `0x1711` Position interface with latch.
-    ///
-    /// Source: 3.5, item 11.
+    /// `0x1711` Position interface with latch (3.5, item 11).
     ///
     /// Of these only: S300, S700.
     pub mod rx_pdo_1711 {
@@ -468,29 +365,21 @@ pub mod objects {
 
         /// `0x1711:00` Highest subindex supported. UINT8, ro, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1711, 0);
-
         /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1711, 1);
-
         /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1711, 2);
-
         /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1711, 3);
-
         /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1711, 4);
-
         /// `0x1711:05` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1711, 5);
-
         /// `0x1711:06` Latch controlword. UINT32, ro, default 0x20A40010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1711, 6);
     }
 
-    /// `0x1712` Velocity interface with latch.
-    ///
-    /// Source: 3.5, item 12.
+    /// `0x1712` Velocity interface with latch (3.5, item 12).
     ///
     /// Of these only: S300, S700.
     pub mod rx_pdo_1712 {
@@ -498,29 +387,21 @@ pub mod objects {
 
         /// `0x1712:00` Highest subindex supported. UINT8, ro, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1712, 0);
-
         /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1712, 1);
-
         /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1712, 2);
-
         /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1712, 3);
-
         /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1712, 4);
-
         /// `0x1712:05` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1712, 5);
-
         /// `0x1712:06` Latch controlword. UINT32, ro, default 0x20A40010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1712, 6);
     }
 
-    /// `0x1714` Macro program interface.
-    ///
-    /// Source: 3.5, item 13.
+    /// `0x1714` Macro program interface (3.5, item 13).
     ///
     /// Of these only: S300, S700.
     pub mod rx_pdo_1714 {
@@ -528,29 +409,21 @@ pub mod objects {
 
         /// `0x1714:00` Highest subindex supported. UINT8, ro, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1714, 0);
-
         /// `0x1714:01` Controlword. UINT32, ro, default 0x60400010.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1714, 1);
-
         /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1714, 2);
-
         /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1714, 3);
-
         /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1714, 4);
-
         /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1714, 5);
-
         /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1714, 6);
     }
 
-    /// `0x1A00` Free mapping.
-    ///
-    /// Source: 3.6, 3.6.1.
+    /// `0x1A00` Free mapping (3.6, 3.6.1).
     ///
     /// Of these only: S300, S700.
     pub mod tx_pdo_1a00 {
@@ -558,270 +431,192 @@ pub mod objects {
 
         /// `0x1A00:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadWrite> = Entry::new(0x1A00, 0);
-
         /// `0x1A00:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60410010.
         pub const ENTRY_1: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 1);
-
         /// `0x1A00:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_2: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 2);
-
         /// `0x1A00:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_3: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 3);
-
         /// `0x1A00:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_4: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 4);
-
         /// `0x1A00:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_5: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 5);
-
         /// `0x1A00:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_6: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 6);
-
         /// `0x1A00:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_7: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 7);
-
         /// `0x1A00:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_8: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 8);
-
         /// `0x1A00:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_9: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 9);
-
         /// `0x1A00:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_10: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 10);
-
         /// `0x1A00:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_11: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 11);
-
         /// `0x1A00:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_12: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 12);
-
         /// `0x1A00:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_13: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 13);
-
         /// `0x1A00:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_14: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 14);
-
         /// `0x1A00:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_15: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 15);
-
         /// `0x1A00:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_16: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 16);
-
         /// `0x1A00:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_17: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 17);
-
         /// `0x1A00:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_18: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 18);
-
         /// `0x1A00:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_19: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 19);
-
         /// `0x1A00:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_20: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 20);
-
         /// `0x1A00:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_21: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 21);
-
         /// `0x1A00:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_22: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 22);
-
         /// `0x1A00:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_23: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 23);
-
         /// `0x1A00:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_24: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 24);
-
         /// `0x1A00:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_25: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 25);
-
         /// `0x1A00:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_26: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 26);
-
         /// `0x1A00:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_27: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 27);
-
         /// `0x1A00:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_28: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 28);
-
         /// `0x1A00:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_29: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 29);
-
         /// `0x1A00:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_30: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 30);
-
         /// `0x1A00:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_31: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 31);
-
         /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
         pub const ENTRY_32: Entry<Family, u32, ReadWrite> = Entry::new(0x1A00, 32);
     }
 
-    /// `0x1B01` Position, velocity interface.
-    ///
-    /// Source: 3.5, items 1 and 2.
+    /// `0x1B01` Position, velocity interface (3.5, items 1 and 2).
     pub mod tx_pdo_1b01 {
         use super::*;
 
         /// `0x1B01:00` Highest subindex supported. UINT8, ro, default 2.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B01, 0);
-
         /// `0x1B01:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B01, 1);
-
         /// `0x1B01:02` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B01, 2);
     }
 
-    /// `0x1B03` Torque interface.
-    ///
-    /// Source: 3.5, item 3.
+    /// `0x1B03` Torque interface (3.5, item 3).
     pub mod tx_pdo_1b03 {
         use super::*;
 
         /// `0x1B03:00` Highest subindex supported. UINT8, ro, default 3.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B03, 0);
-
         /// `0x1B03:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B03, 1);
-
         /// `0x1B03:02` Current actual value. UINT32, ro, default 0x60770010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B03, 2);
-
         /// `0x1B03:03` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B03, 3);
     }
 
-    /// `0x1B04` Position, velocity, torque interface with operation mode switch.
-    ///
-    /// Source: 3.5, item 4.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch (3.5, item 4).
     pub mod tx_pdo_1b04 {
         use super::*;
 
         /// `0x1B04:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B04, 0);
-
         /// `0x1B04:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B04, 1);
-
         /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B04, 2);
-
         /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B04, 3);
-
         /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B04, 4);
     }
 
-    /// `0x1B05` Position, velocity interface with torque.
-    ///
-    /// Source: 3.5, item 5.
+    /// `0x1B05` Position, velocity interface with torque (3.5, item 5).
     pub mod tx_pdo_1b05 {
         use super::*;
 
         /// `0x1B05:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B05, 0);
-
         /// `0x1B05:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B05, 1);
-
         /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B05, 2);
-
         /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B05, 3);
-
         /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B05, 4);
     }
 
-    /// `0x1B06` Position, velocity interface with latch.
-    ///
-    /// Source: 3.5, items 6, 11 and 12.
+    /// `0x1B06` Position, velocity interface with latch (3.5, items 6, 11 and 12).
     pub mod tx_pdo_1b06 {
         use super::*;
 
         /// `0x1B06:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B06, 0);
-
         /// `0x1B06:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B06, 1);
-
         /// `0x1B06:02` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B06, 2);
-
         /// `0x1B06:03` Latch statusword. UINT32, ro, default 0x20A50010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B06, 3);
-
         /// `0x1B06:04` Latch position. UINT32, ro, default 0x20A00020.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B06, 4);
     }
 
-    /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
-    ///
-    /// Source: 3.5, item 7.
+    /// `0x1B07` Position 1 and 2, velocity, torque interface with latch (3.5, item 7).
     pub mod tx_pdo_1b07 {
         use super::*;
 
         /// `0x1B07:00` Highest subindex supported. UINT8, ro, default 7.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B07, 0);
-
         /// `0x1B07:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 1);
-
         /// `0x1B07:02` Position actual value 2. UINT32, ro, default 0x20500020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 2);
-
         /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 3);
-
         /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 4);
-
         /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 5);
-
         /// `0x1B07:06` Latch statusword. UINT32, ro, default 0x20A50010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 6);
-
         /// `0x1B07:07` Latch position. UINT32, ro, default 0x20A00020.
         pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1B07, 7);
     }
 
-    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
-    ///
-    /// Source: 3.5, item 8.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch (3.5,
+    /// item 8).
     pub mod tx_pdo_1b08 {
         use super::*;
 
         /// `0x1B08:00` Highest subindex supported. UINT8, ro, default 7.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B08, 0);
-
         /// `0x1B08:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 1);
-
         /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 2);
-
         /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 3);
-
         /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 4);
-
         /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 5);
-
         /// `0x1B08:06` Latch statusword. UINT32, ro, default 0x20A50010.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 6);
-
         /// `0x1B08:07` Latch position. UINT32, ro, default 0x20A00020.
         pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1B08, 7);
     }
 
-    /// `0x1B0A` Position interface with digital I/O.
-    ///
-    /// Source: 3.5, item 9.
+    /// `0x1B0A` Position interface with digital I/O (3.5, item 9).
     ///
     /// Of these only: S300, S700.
     pub mod tx_pdo_1b0a {
@@ -829,23 +624,17 @@ pub mod objects {
 
         /// `0x1B0A:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B0A, 0);
-
         /// `0x1B0A:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0A, 1);
-
         /// `0x1B0A:02` OPMODE message. UINT32, ro, default 0x23530010.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0A, 2);
-
         /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0A, 3);
-
         /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0A, 4);
     }
 
-    /// `0x1B0B` Motion tasks with I/O and actual values.
-    ///
-    /// Source: 3.5, item 10.
+    /// `0x1B0B` Motion tasks with I/O and actual values (3.5, item 10).
     ///
     /// Of these only: S300, S700.
     pub mod tx_pdo_1b0b {
@@ -853,47 +642,33 @@ pub mod objects {
 
         /// `0x1B0B:00` Highest subindex supported. UINT8, ro, default 12.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B0B, 0);
-
         /// `0x1B0B:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 1);
-
         /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 2);
-
         /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 3);
-
         /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 4);
-
         /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 5);
-
         /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 6);
-
         /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
         pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 7);
-
         /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
         pub const ENTRY_8: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 8);
-
         /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
         pub const ENTRY_9: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 9);
-
         /// `0x1B0B:0A` Analog input 2. UINT32, ro, default 0x20B20210.
         pub const ENTRY_10: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 10);
-
         /// `0x1B0B:0B` Internal following error. UINT32, ro, default 0x60F40020.
         pub const ENTRY_11: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 11);
-
         /// `0x1B0B:0C` Motion task status value. UINT32, ro, default 0x10020020.
         pub const ENTRY_12: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0B, 12);
     }
 
-    /// `0x1B0C` Macro program interface.
-    ///
-    /// Source: 3.5, item 13.
+    /// `0x1B0C` Macro program interface (3.5, item 13).
     ///
     /// Of these only: S300, S700.
     pub mod tx_pdo_1b0c {
@@ -901,31 +676,22 @@ pub mod objects {
 
         /// `0x1B0C:00` Highest subindex supported. UINT8, ro, default 9.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1B0C, 0);
-
         /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
         pub const ENTRY_1: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 1);
-
         /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
         pub const ENTRY_2: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 2);
-
         /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
         pub const ENTRY_3: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 3);
-
         /// `0x1B0C:04` DPRVAR9 (lower 16 bits). UINT32, ro, default 0x23500110.
         pub const ENTRY_4: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 4);
-
         /// `0x1B0C:05` DPRVAR10. UINT32, ro, default 0x20300220.
         pub const ENTRY_5: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 5);
-
         /// `0x1B0C:06` DPRVAR11. UINT32, ro, default 0x20300320.
         pub const ENTRY_6: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 6);
-
         /// `0x1B0C:07` DPRVAR12 (lower 16 bits). UINT32, ro, default 0x23500410.
         pub const ENTRY_7: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 7);
-
         /// `0x1B0C:08` DPRVAR13 (lower 16 bits). UINT32, ro, default 0x23500510.
         pub const ENTRY_8: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 8);
-
         /// `0x1B0C:09` DPRVAR14. UINT32, ro, default 0x20300620.
         pub const ENTRY_9: Entry<Family, u32, ReadOnly> = Entry::new(0x1B0C, 9);
     }
@@ -936,32 +702,25 @@ pub mod objects {
 
         /// `0x1C00:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 0);
-
         /// `0x1C00:01` Sync manager 0. UINT8, ro, default 1.
         pub const ENTRY_1: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 1);
-
         /// `0x1C00:02` Sync manager 1. UINT8, ro, default 2.
         pub const ENTRY_2: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 2);
-
         /// `0x1C00:03` Sync manager 2. UINT8, ro, default 3.
         pub const ENTRY_3: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 3);
-
         /// `0x1C00:04` Sync manager 3. UINT8, ro, default 4.
         pub const ENTRY_4: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 4);
     }
 
-    /// `0x1C13` Sync manager 3 PDO assignment.
+    /// `0x1C13` Sync manager 3 PDO assignment (3.5, 3.6, 3.6.1).
     ///
     /// Selects the mapping of the actual values: 0 to subindex 0, the PDO to subindex 1, then 1 to subindex
     /// 0.
-    ///
-    /// Source: 3.5, 3.6, 3.6.1.
     pub mod sync_manager_3_pdo_assignment {
         use super::*;
 
         /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadWrite> = Entry::new(0x1C13, 0);
-
         /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
         pub const ENTRY_1: Entry<Family, u16, ReadWrite> = Entry::new(0x1C13, 1);
     }
@@ -1131,61 +890,32 @@ pub mod objects {
     /// Assumed, access: no column for it; an actual value is only read.
     pub const DRIVE_WARNINGS: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
-    /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
+    /// `0x2030` Macro variables DPRVAR9 to DPRVAR16 (3.7.2).
     ///
     /// Values from a macro program in the amplifier.
     ///
-    /// Source: 3.7.2.
-    ///
-    /// Assumed, name: the rows have names for the entries only.
-    ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; an actual value is only read.
+    /// Assumed, name: the rows have names for the entries only. Assumed, kind: no column for it; the rows
+    /// of one index have one type. Assumed, access: no column for it; an actual value is only read.
     pub mod dprvar_actual {
         use super::*;
 
         /// `0x2030:00` Highest subindex supported. UINT8, ro, default 8.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x2030, 0);
-
         /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR9: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
-
         /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR10: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
-
         /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR11: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
-
         /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR12: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
-
         /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR13: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
-
         /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR14: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
-
         /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR15: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
-
         /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR16: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
     }
 
@@ -1198,313 +928,166 @@ pub mod objects {
     /// Assumed, access: no column for it; an actual value is only read.
     pub const POSITION_ACTUAL_VALUE_2: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-    /// `0x2054` ENDAT 2.2 diagnose information.
+    /// `0x2054` ENDAT 2.2 diagnose information (3.7.2).
     ///
     /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
     /// documents tell what it means.
     ///
     /// Needs firmware 5.91 or newer, and an encoder that has it.
     ///
-    /// Source: 3.7.2.
+    /// Assumed, kind: no column for it; the rows of one index have one type. Assumed, access: no column for
+    /// it; an actual value is only read.
     ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; an actual value is only read.
+    /// Assumed, name of 1 to 16: one row has all sixteen.
     pub mod endat_2_2_diagnose_information {
         use super::*;
 
         /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x2054, 0);
-
         /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_1: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
-
         /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_2: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
-
         /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_3: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
-
         /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_4: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
-
         /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_5: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
-
         /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_6: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
-
         /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_7: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
-
         /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_8: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
-
         /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_9: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
-
         /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_10: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
-
         /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_11: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
-
         /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_12: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
-
         /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_13: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
-
         /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_14: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
-
         /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_15: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
-
         /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const DIAGNOSE_INFORMATION_16: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
     }
 
-    /// `0x2055` ENDAT 2.2 additional information 1.
+    /// `0x2055` ENDAT 2.2 additional information 1 (3.7.2).
     ///
     /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
     /// encoder's documents tell what it means.
     ///
     /// Needs firmware 5.91 or newer, and an encoder that has it.
     ///
-    /// Source: 3.7.2.
+    /// Assumed, kind: no column for it; the rows of one index have one type. Assumed, access: no column for
+    /// it; an actual value is only read.
     ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; an actual value is only read.
+    /// Assumed, name of 1 to 16: one row has all sixteen.
     pub mod endat_2_2_additional_information_1 {
         use super::*;
 
         /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x2055, 0);
-
         /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
-
         /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
-
         /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
-
         /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
-
         /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
-
         /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
-
         /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
-
         /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
-
         /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
-
         /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 10);
-
         /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 11);
-
         /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 12);
-
         /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 13);
-
         /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 14);
-
         /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 15);
-
         /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2055, 16);
     }
 
-    /// `0x2056` ENDAT 2.2 additional information 2.
+    /// `0x2056` ENDAT 2.2 additional information 2 (3.7.2).
     ///
     /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
     /// encoder's documents tell what it means.
     ///
     /// Needs firmware 5.91 or newer, and an encoder that has it.
     ///
-    /// Source: 3.7.2.
+    /// Assumed, kind: no column for it; the rows of one index have one type. Assumed, access: no column for
+    /// it; an actual value is only read.
     ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; an actual value is only read.
+    /// Assumed, name of 1 to 16: one row has all sixteen.
     pub mod endat_2_2_additional_information_2 {
         use super::*;
 
         /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x2056, 0);
-
         /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
-
         /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
-
         /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
-
         /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
-
         /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
-
         /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
-
         /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
-
         /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
-
         /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
-
         /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 10);
-
         /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 11);
-
         /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 12);
-
         /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 13);
-
         /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 14);
-
         /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 15);
-
         /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
-        ///
-        /// Assumed, name: one row has all sixteen.
         pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<Family, i16, ReadOnly, Tx> =
             Entry::new(0x2056, 16);
     }
@@ -1519,61 +1102,33 @@ pub mod objects {
     pub const CURRENT_LIMIT: Entry<Family, i16, ReadWrite, Rx, Scale> =
         Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
-    /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
+    /// `0x2090` Macro variables DPRVAR1 to DPRVAR8 (3.7.1).
     ///
     /// Values for a macro program in the amplifier.
     ///
-    /// Source: 3.7.1.
-    ///
-    /// Assumed, name: the rows have names for the entries only.
-    ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; the master writes a set value and can read it back.
+    /// Assumed, name: the rows have names for the entries only. Assumed, kind: no column for it; the rows
+    /// of one index have one type. Assumed, access: no column for it; the master writes a set value and can
+    /// read it back.
     pub mod dprvar_set {
         use super::*;
 
         /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x2090, 0);
-
         /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR1_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
-
         /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR2_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
-
         /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR3_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
-
         /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR4_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
-
         /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR5_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
-
         /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR6_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
-
         /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR7_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
-
         /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
-        ///
-        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR8_32_BITS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
     }
 
@@ -1581,9 +1136,8 @@ pub mod objects {
     ///
     /// The latched position that the latch controlword has chosen, by latch and edge.
     ///
-    /// Assumed, access: no column for it; an actual value is only read.
-    ///
-    /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
+    /// Assumed, access: no column for it; an actual value is only read. Assumed, unit: the manual gives
+    /// none; the other positions of the encoder have it.
     pub const LATCH_POSITION: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
     /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
@@ -1609,17 +1163,12 @@ pub mod objects {
     /// Assumed, access: no column for it; the master writes a set value and can read it back.
     pub const DIGITAL_SOFTWARE_INPUTS: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
-    /// `0x20B2` Analog inputs.
+    /// `0x20B2` Analog inputs (3.7.2).
     ///
     /// The voltages at the analog inputs.
     ///
-    /// Source: 3.7.2.
-    ///
-    /// Assumed, name: the rows have names for the entries only.
-    ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; an actual value is only read.
+    /// Assumed, name: the rows have names for the entries only. Assumed, kind: no column for it; the rows
+    /// of one index have one type. Assumed, access: no column for it; an actual value is only read.
     pub mod analog_inputs {
         use super::*;
 
@@ -1627,14 +1176,10 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
         /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const ANALOG_INPUT_1: Entry<Family, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
         /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const ANALOG_INPUT_2: Entry<Family, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
     }
@@ -1704,61 +1249,32 @@ pub mod objects {
     /// Assumed, access: no column for it; the master writes a set value and can read it back.
     pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<Family, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
-    /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
+    /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16 (3.7.2).
     ///
     /// The lower 16 bits of the macro variables.
     ///
-    /// Source: 3.7.2.
-    ///
-    /// Assumed, name: the rows have names for the entries only.
-    ///
-    /// Assumed, kind: no column for it; the rows of one index have one type.
-    ///
-    /// Assumed, access: no column for it; an actual value is only read.
+    /// Assumed, name: the rows have names for the entries only. Assumed, kind: no column for it; the rows
+    /// of one index have one type. Assumed, access: no column for it; an actual value is only read.
     pub mod dprvar_actual_low {
         use super::*;
 
         /// `0x2350:00` Highest subindex supported. UINT8, ro, default 8.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x2350, 0);
-
         /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR9_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
-
         /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR10_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
-
         /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR11_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
-
         /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR12_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
-
         /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR13_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
-
         /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR14_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
-
         /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR15_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
-
         /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
-        ///
-        /// Assumed, access: no column for it; an actual value is only read.
         pub const DPRVAR16_LOWER_16_BITS: Entry<Family, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
     }
 
@@ -1933,21 +1449,17 @@ pub mod objects {
     /// Taken in each bus cycle. Recorded as NEWPOS.
     pub const POSITION_SETPOINT: Entry<Family, i32, ReadWrite, Rx> = Entry::new(0x60C1, 0);
 
-    /// `0x60C2` Interpolation time period.
+    /// `0x60C2` Interpolation time period (3.6.1, 3.7, 3.9).
     ///
     /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
     /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
-    ///
-    /// Source: 3.6.1, 3.7, 3.9.
     pub mod interpolation_time_period {
         use super::*;
 
         /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadOnly> = Entry::new(0x60C2, 0);
-
         /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
         pub const INTERPOLATION_TIME_UNITS: Entry<Family, u8, ReadWrite> = Entry::new(0x60C2, 1);
-
         /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
         pub const INTERPOLATION_TIME_INDEX: Entry<Family, i8, ReadWrite> = Entry::new(0x60C2, 2);
     }
@@ -1982,11 +1494,9 @@ pub mod objects {
     pub const SUPPORTED_DRIVE_MODES: Entry<Family, u32, ReadOnly> = Entry::new(0x6502, 0);
 }
 
-/// `0x6040` Controlword.
+/// `0x6040` Controlword (3.4.2).
 ///
 /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
-///
-/// Source: 3.4.2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Controlword(pub u16);
 
@@ -2067,11 +1577,9 @@ impl core::fmt::Display for Controlword {
 
 ::devc_runtime::value!(Controlword as u16);
 
-/// `0x6041` Statusword.
+/// `0x6041` Statusword (3.4.2, 3.4.3).
 ///
 /// Bits 0 to 3, 5 and 6 show the state.
-///
-/// Source: 3.4.2, 3.4.3.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Statusword(pub u16);
 
@@ -2157,9 +1665,7 @@ impl core::fmt::Display for Statusword {
 
 ::devc_runtime::value!(Statusword as u16);
 
-/// `0x20A4` Latch controlword.
-///
-/// Source: 3.12.
+/// `0x20A4` Latch controlword (3.12).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct LatchControlword(pub u16);
 
@@ -2203,9 +1709,7 @@ impl core::fmt::Display for LatchControlword {
 
 ::devc_runtime::value!(LatchControlword as u16);
 
-/// `0x20A5` Latch statusword.
-///
-/// Source: 3.12.
+/// `0x20A5` Latch statusword (3.12).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct LatchStatusword(pub u16);
 
@@ -2261,9 +1765,7 @@ impl core::fmt::Display for LatchStatusword {
 
 ::devc_runtime::value!(LatchStatusword as u16);
 
-/// `0x2302` State of digital output.
-///
-/// Source: 3.5, 3.7.1.
+/// `0x2302` State of digital output (3.5, 3.7.1).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct DigitalOutputs(pub u16);
 
@@ -2294,13 +1796,10 @@ pub struct SynchronizationType(pub u16);
 impl SynchronizationType {
     /// Free run.
     pub const FREE_RUN: Self = Self(0);
-
     /// Synchronous with SM2 event.
     pub const SYNCHRONOUS_WITH_SM2_EVENT: Self = Self(1);
-
     /// Synchronous with SYNC0 event.
     pub const SYNCHRONOUS_WITH_SYNC0_EVENT: Self = Self(2);
-
     /// Synchronous with SYNC1 event.
     pub const SYNCHRONOUS_WITH_SYNC1_EVENT: Self = Self(3);
 
@@ -2329,10 +1828,8 @@ pub struct GetCycleTime(pub u16);
 impl GetCycleTime {
     /// Measurement stopped.
     pub const MEASUREMENT_STOPPED: Self = Self(0);
-
     /// Measurement started.
     pub const MEASUREMENT_STARTED: Self = Self(1);
-
     /// Measurement and error counters reset.
     pub const MEASUREMENT_AND_ERROR_COUNTERS_RESET: Self = Self(2);
 
@@ -2360,16 +1857,12 @@ pub struct SmInputParameterSynchronizationType(pub u16);
 impl SmInputParameterSynchronizationType {
     /// Free run.
     pub const FREE_RUN: Self = Self(0);
-
     /// Synchronous with SM3 event.
     pub const SYNCHRONOUS_WITH_SM3_EVENT: Self = Self(1);
-
     /// Synchronous with SYNC0 event.
     pub const SYNCHRONOUS_WITH_SYNC0_EVENT: Self = Self(2);
-
     /// Synchronous with SYNC1 event.
     pub const SYNCHRONOUS_WITH_SYNC1_EVENT: Self = Self(3);
-
     /// Synchronous with SM2 event.
     pub const SYNCHRONOUS_WITH_SM2_EVENT: Self = Self(34);
 
@@ -2395,27 +1888,21 @@ impl SmInputParameterSynchronizationType {
 pub struct VendorCode(pub u32);
 
 impl VendorCode {
-    /// N17: not synchronised.
+    /// N17: not synchronised (3.3.4, 3.11).
     ///
     /// A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or
     /// their jitter is too large.
-    ///
-    /// Source: 3.3.4, 3.11.
     pub const N17_NOT_SYNCHRONISED: Self = Self(17);
 
-    /// F28: synchronisation fault.
+    /// F28: synchronisation fault (3.3.4, 3.11).
     ///
     /// The amplifier could not synchronise in time on the way to Operational, or two interrupts of the
     /// master in a row came with too much jitter.
-    ///
-    /// Source: 3.3.4, 3.11.
     pub const F28_SYNCHRONISATION_FAULT: Self = Self(28);
 
-    /// F29.
+    /// F29 (3.4.2).
     ///
     /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
-    ///
-    /// Source: 3.4.2.
     pub const F29: Self = Self(29);
 
     /// What the value stands for, if the description says so.
@@ -2451,35 +1938,27 @@ impl VendorCode {
 pub struct AlStatusCode(pub u16);
 
 impl AlStatusCode {
-    /// No error.
+    /// No error (3.3.3).
     ///
     /// Results in the present state.
-    ///
-    /// Source: 3.3.3.
     pub const NO_ERROR: Self = Self(0x0000);
 
-    /// Invalid requested state change.
+    /// Invalid requested state change (3.3.3).
     ///
     /// No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB,
     /// SB, PB. Results in the present state, with the error bit.
-    ///
-    /// Source: 3.3.3.
     pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
 
-    /// Invalid sync manager configuration.
+    /// Invalid sync manager configuration (3.3.3).
     ///
     /// A sync manager of the process data is not set as the device needs it. In the transitions PS, SO.
     /// Results in the present state, with the error bit.
-    ///
-    /// Source: 3.3.3.
     pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-    /// Synchronize error.
+    /// Synchronize error (3.3.3).
     ///
     /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
     /// Safe-operational, with the error bit.
-    ///
-    /// Source: 3.3.3.
     pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
     /// What the value stands for, if the description says so.
@@ -2512,11 +1991,9 @@ impl AlStatusCode {
 
 ::devc_runtime::value!(AlStatusCode as u16);
 
-/// `0x1600` Free mapping, 2 bytes.
+/// `0x1600` Free mapping, 2 bytes (3.6, 3.6.1).
 ///
 /// Needs bit 16 of DRVCFG3.
-///
-/// Source: 3.6, 3.6.1.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -2555,11 +2032,9 @@ impl Pdo for RxPdo1600 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1701` Position interface, 6 bytes.
+/// `0x1701` Position interface, 6 bytes (3.5, item 1).
 ///
 /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
-///
-/// Source: 3.5, item 1.
 ///
 /// Assumed, mode: from its name and its set value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -2606,11 +2081,9 @@ impl Pdo for RxPdo1701 {
     ];
 }
 
-/// `0x1702` Velocity interface, 6 bytes.
+/// `0x1702` Velocity interface, 6 bytes (3.5, item 2).
 ///
 /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
-///
-/// Source: 3.5, item 2.
 ///
 /// Assumed, mode: from its name and its set value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -2657,11 +2130,9 @@ impl Pdo for RxPdo1702 {
     ];
 }
 
-/// `0x1703` Torque interface, 4 bytes.
+/// `0x1703` Torque interface, 4 bytes (3.5, item 3).
 ///
 /// Interface 3. Goes with 0x1B03.
-///
-/// Source: 3.5, item 3.
 ///
 /// Assumed, mode: from its name and its set value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -2708,11 +2179,9 @@ impl Pdo for RxPdo1703 {
     ];
 }
 
-/// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
+/// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes (3.5, item 4).
 ///
 /// Interface 4. Goes with 0x1B04.
-///
-/// Source: 3.5, item 4.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1704 {
     /// `0x60C1:00` Position setpoint, in increments.
@@ -2775,11 +2244,9 @@ impl Pdo for RxPdo1704 {
     ];
 }
 
-/// `0x1705` Position, velocity interface with torque, 14 bytes.
+/// `0x1705` Position, velocity interface with torque, 14 bytes (3.5, item 5).
 ///
 /// Interface 5. Goes with 0x1B05.
-///
-/// Source: 3.5, item 5.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1705 {
     /// `0x60C1:00` Position setpoint, in increments.
@@ -2842,11 +2309,9 @@ impl Pdo for RxPdo1705 {
     ];
 }
 
-/// `0x1706` Position, velocity interface with latch, 12 bytes.
+/// `0x1706` Position, velocity interface with latch, 12 bytes (3.5, item 6).
 ///
 /// Interface 6. Goes with 0x1B06.
-///
-/// Source: 3.5, item 6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1706 {
     /// `0x60C1:00` Position setpoint, in increments.
@@ -2903,11 +2368,9 @@ impl Pdo for RxPdo1706 {
     ];
 }
 
-/// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
+/// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes (3.5, item 7).
 ///
 /// Interface 7. Goes with 0x1B07.
-///
-/// Source: 3.5, item 7.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1707 {
     /// `0x60C1:00` Position setpoint, in increments.
@@ -2978,12 +2441,10 @@ impl Pdo for RxPdo1707 {
     ];
 }
 
-/// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
-/// bytes.
+/// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18 bytes
+/// (3.5, item 8).
 ///
 /// Interface 8. Goes with 0x1B08.
-///
-/// Source: 3.5, item 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1708 {
     /// `0x60C1:00` Position setpoint, in increments.
@@ -3060,16 +2521,12 @@ impl Pdo for RxPdo1708 {
     ];
 }
 
-/// `0x170A` Position interface with digital I/O, 8 bytes.
+/// `0x170A` Position interface with digital I/O, 8 bytes (3.5, item 9).
 ///
 /// Interface 9. Goes with 0x1B0A.
 ///
-/// Source: 3.5, item 9.
-///
-/// Assumed, mode: from its name and its set value.
-///
-/// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
-/// 0x1B0A are swapped.
+/// Assumed, mode: from its name and its set value. Corrected, total; the source says: total = 10. 4 + 2
+/// + 2 bytes are listed. The totals of 0x170A and 0x1B0A are swapped.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3124,11 +2581,9 @@ impl Pdo for RxPdo170A {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
+/// `0x1710` Motion tasks with I/O and actual values, 26 bytes (3.5, item 10).
 ///
 /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
-///
-/// Source: 3.5, item 10.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3221,11 +2676,9 @@ impl Pdo for RxPdo1710 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1711` Position interface with latch, 16 bytes.
+/// `0x1711` Position interface with latch, 16 bytes (3.5, item 11).
 ///
 /// Interface 11. Goes with 0x1B06, for example.
-///
-/// Source: 3.5, item 11.
 ///
 /// Assumed, mode: from its name and its set value.
 ///
@@ -3302,11 +2755,9 @@ impl Pdo for RxPdo1711 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1712` Velocity interface with latch, 16 bytes.
+/// `0x1712` Velocity interface with latch, 16 bytes (3.5, item 12).
 ///
 /// Interface 12. Goes with 0x1B06, for example.
-///
-/// Source: 3.5, item 12.
 ///
 /// Assumed, mode: from its name and its set value.
 ///
@@ -3383,11 +2834,9 @@ impl Pdo for RxPdo1712 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1714` Macro program interface, 20 bytes.
+/// `0x1714` Macro program interface, 20 bytes (3.5, item 13).
 ///
 /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
-///
-/// Source: 3.5, item 13.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3462,11 +2911,9 @@ impl Pdo for RxPdo1714 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1A00` Free mapping, 2 bytes.
+/// `0x1A00` Free mapping, 2 bytes (3.6, 3.6.1).
 ///
 /// Needs bit 16 of DRVCFG3.
-///
-/// Source: 3.6, 3.6.1.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3505,11 +2952,9 @@ impl Pdo for TxPdo1A00 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1B01` Position, velocity interface, 6 bytes.
+/// `0x1B01` Position, velocity interface, 6 bytes (3.5, items 1 and 2).
 ///
 /// Interfaces 1 and 2. The default.
-///
-/// Source: 3.5, items 1 and 2.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B01 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3554,11 +2999,9 @@ impl Pdo for TxPdo1B01 {
     ];
 }
 
-/// `0x1B03` Torque interface, 8 bytes.
+/// `0x1B03` Torque interface, 8 bytes (3.5, item 3).
 ///
 /// Interface 3.
-///
-/// Source: 3.5, item 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B03 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3609,11 +3052,9 @@ impl Pdo for TxPdo1B03 {
     ];
 }
 
-/// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
+/// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes (3.5, item 4).
 ///
 /// Interface 4.
-///
-/// Source: 3.5, item 4.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B04 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3670,11 +3111,9 @@ impl Pdo for TxPdo1B04 {
     ];
 }
 
-/// `0x1B05` Position, velocity interface with torque, 12 bytes.
+/// `0x1B05` Position, velocity interface with torque, 12 bytes (3.5, item 5).
 ///
 /// Interface 5.
-///
-/// Source: 3.5, item 5.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B05 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3731,11 +3170,9 @@ impl Pdo for TxPdo1B05 {
     ];
 }
 
-/// `0x1B06` Position, velocity interface with latch, 12 bytes.
+/// `0x1B06` Position, velocity interface with latch, 12 bytes (3.5, items 6, 11 and 12).
 ///
 /// Interface 6; also for 11 and 12, for example.
-///
-/// Source: 3.5, items 6, 11 and 12.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B06 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3792,11 +3229,9 @@ impl Pdo for TxPdo1B06 {
     ];
 }
 
-/// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
+/// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes (3.5, item 7).
 ///
 /// Interface 7.
-///
-/// Source: 3.5, item 7.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B07 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3876,12 +3311,10 @@ impl Pdo for TxPdo1B07 {
     ];
 }
 
-/// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
-/// bytes.
+/// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20 bytes
+/// (3.5, item 8).
 ///
 /// Interface 8.
-///
-/// Source: 3.5, item 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B08 {
     /// `0x6063:00` Position actual value 1, in increments.
@@ -3958,12 +3391,10 @@ impl Pdo for TxPdo1B08 {
     ];
 }
 
-/// `0x1B0C` Macro program interface, 28 bytes.
+/// `0x1B0C` Macro program interface, 28 bytes (3.5, item 13).
 ///
 /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
 /// 16 of DRVCFG3.
-///
-/// Source: 3.5, item 13.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -4062,9 +3493,7 @@ impl Pdo for TxPdo1B0C {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes.
-///
-/// Source: 3.6, 3.6.1.
+/// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes (3.6, 3.6.1).
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -4080,9 +3509,7 @@ impl MappingObject for FreeRxPdo1600 {
     const MEMBERS: Members = Members::of(&[0, 3]);
 }
 
-/// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes.
-///
-/// Source: 3.6, 3.6.1.
+/// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes (3.6, 3.6.1).
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -4103,24 +3530,20 @@ impl MappingObject for FreeTxPdo1A00 {
 pub mod configurations {
     use super::*;
 
-    /// Fixed mapping 0x1701.
+    /// Fixed mapping 0x1701 (3.5).
     ///
     /// The way to select any other fixed mapping, too.
-    ///
-    /// Source: 3.5.
     pub const POSITION: [Write; 3] = [
         Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
         Write::new(Address::new(0x1C12, 1), &[0x01, 0x17], "assign 0x1701"),
         Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
     ];
 
-    /// Free mapping of set and actual position.
+    /// Free mapping of set and actual position (3.6.1).
     ///
     /// Needs bit 16 of DRVCFG3.
     ///
     /// Cycle time: 2 ms.
-    ///
-    /// Source: 3.6.1.
     ///
     /// Contradicted, mode: The example calls it interpolated position mode, writes the code of profile
     /// position mode and maps 0x60C1, which the table of objects gives to the cyclic synchronous position
@@ -4154,9 +3577,7 @@ pub mod configurations {
     pub mod free_mapping {
         use super::*;
 
-        /// `0x1600` Free mapping, 6 bytes.
-        ///
-        /// Source: 3.6, 3.6.1.
+        /// `0x1600` Free mapping, 6 bytes (3.6, 3.6.1).
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct RxPdo1600 {
             /// `0x6040:00` Controlword.
@@ -4204,9 +3625,7 @@ pub mod configurations {
             const MEMBERS: Members = Members::of(&[0, 3]);
         }
 
-        /// `0x1A00` Free mapping, 6 bytes.
-        ///
-        /// Source: 3.6, 3.6.1.
+        /// `0x1A00` Free mapping, 6 bytes (3.6, 3.6.1).
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct TxPdo1A00 {
             /// `0x6041:00` Statusword.
@@ -4441,103 +3860,77 @@ pub const TRANSITIONS: &[Transition] = {
 pub mod commands {
     use super::*;
 
-    /// Shutdown, transition 2. `xxxx xx10`
+    /// Shutdown, transition 2. `xxxx xx10` (3.4.1, 3.4.2).
     ///
     /// The switch-on inhibit is lifted.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const SHUTDOWN_2: Command = Command::new("shutdown", 0x0003, 0x0002, &[2]);
 
-    /// Switch on, transition 3. `xxxx x11r`
+    /// Switch on, transition 3. `xxxx x11r` (3.4.1, 3.4.2).
     ///
     /// The amplifier is enabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const SWITCH_ON_3: Command = Command::new("switch on", 0x0007, 0x0007, &[3]).on(Edge::Rising(0x0001));
 
-    /// Enable operation, transition 4. `xxxx r111`
+    /// Enable operation, transition 4. `xxxx r111` (3.4.1, 3.4.2).
     ///
     /// The amplifier takes the set values.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const ENABLE_OPERATION_4: Command =
         Command::new("enable operation", 0x000F, 0x000F, &[4]).on(Edge::Rising(0x0008));
 
-    /// Disable operation, transition 5. `xxxx f111`
+    /// Disable operation, transition 5. `xxxx f111` (3.4.1, 3.4.2).
     ///
     /// The amplifier no longer takes the set values; the drive stops in speed control.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const DISABLE_OPERATION_5: Command =
         Command::new("disable operation", 0x000F, 0x0007, &[5]).on(Edge::Falling(0x0008));
 
-    /// Shutdown, transition 6. `xxxx xx1f`
+    /// Shutdown, transition 6. `xxxx xx1f` (3.4.1, 3.4.2).
     ///
     /// The amplifier is disabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const SHUTDOWN_6: Command = Command::new("shutdown", 0x0003, 0x0002, &[6]).on(Edge::Falling(0x0001));
 
-    /// Disable voltage, transition 7. `xxxx xxfx`
+    /// Disable voltage, transition 7. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The switch-on inhibit is back.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const DISABLE_VOLTAGE_7: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[7]).on(Edge::Falling(0x0002));
 
-    /// Shutdown, transition 8. `xxxx xx1f`
+    /// Shutdown, transition 8. `xxxx xx1f` (3.4.1, 3.4.2).
     ///
     /// The amplifier is disabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const SHUTDOWN_8: Command = Command::new("shutdown", 0x0003, 0x0002, &[8]).on(Edge::Falling(0x0001));
 
-    /// Disable voltage, transition 9. `xxxx xxfx`
+    /// Disable voltage, transition 9. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECSTOP and is disabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const DISABLE_VOLTAGE_9: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[9]).on(Edge::Falling(0x0002));
 
-    /// Disable voltage, transition 10. `xxxx xxfx`
+    /// Disable voltage, transition 10. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECSTOP and is disabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const DISABLE_VOLTAGE_10: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[10]).on(Edge::Falling(0x0002));
 
-    /// Quick stop, transition 11. `xxxx 1f11`
+    /// Quick stop, transition 11. `xxxx 1f11` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECDIS and stays enabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const QUICK_STOP_11: Command =
         Command::new("quick stop", 0x000F, 0x000B, &[11]).on(Edge::Falling(0x0004));
 
-    /// Disable voltage, transition 12. `xxxx xxfx`
+    /// Disable voltage, transition 12. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECSTOP and is disabled.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const DISABLE_VOLTAGE_12: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[12]).on(Edge::Falling(0x0002));
 
-    /// Fault reset, transition 15. `rxxx xxxx`
+    /// Fault reset, transition 15. `rxxx xxxx` (3.4.1, 3.4.2).
     ///
     /// The fault is cleared.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const FAULT_RESET_15: Command =
         Command::new("fault reset", 0x0080, 0x0080, &[15]).on(Edge::Rising(0x0080));
 
-    /// Enable operation, transition 16. `xxxx 1r11`
+    /// Enable operation, transition 16. `xxxx 1r11` (3.4.1, 3.4.2).
     ///
     /// The amplifier takes the set values again.
-    ///
-    /// Source: 3.4.1, 3.4.2.
     pub const ENABLE_OPERATION_16: Command =
         Command::new("enable operation", 0x000F, 0x000F, &[16]).on(Edge::Rising(0x0004));
 
@@ -4553,29 +3946,21 @@ pub mod commands {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(i8)]
 pub enum ModeOfOperation {
-    /// Homing mode.
+    /// Homing mode (3.4.2, 3.4.3, 3.7.1, 3.8).
     ///
     /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
-    ///
-    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     Hm = 6,
-    /// Cyclic synchronous position mode.
+    /// Cyclic synchronous position mode (3.7.1, 3.7.2, 3.8, 3.9).
     ///
     /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
-    ///
-    /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
     Csp = 8,
-    /// Cyclic synchronous velocity mode.
+    /// Cyclic synchronous velocity mode (3.7.1, 3.7.2, 3.8, 3.9).
     ///
     /// The master sends a velocity every cycle. OPMODE 0.
-    ///
-    /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
     Csv = 9,
-    /// Cyclic synchronous torque mode.
+    /// Cyclic synchronous torque mode (3.7.1, 3.7.2, 3.8, 3.9).
     ///
     /// The master sends a current every cycle. OPMODE 2.
-    ///
-    /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
     Cst = 10,
 }
 
@@ -4639,9 +4024,7 @@ pub const MODES: Modes = Modes {
     refusal: Refusal::Ignored,
 };
 
-/// The bits that start a reference run in mode 6 and show how far it is.
-///
-/// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
+/// The bits that start a reference run in mode 6 and show how far it is (3.4.2, 3.4.3, 3.7.1, 3.8).
 pub const HOMING: HomingBits = HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
 /// The state machine, as both sides run it.
@@ -4658,48 +4041,32 @@ pub const MACHINE: Machine = Machine {
 pub mod units {
     use super::*;
 
-    /// Position: a step is 1 increments.
+    /// Position: a step is 1 increments (2.1.1, 3.7.1, 3.7.2).
     ///
     /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
     /// mechanics are not in it.
-    ///
-    /// Source: 2.1.1, 3.7.1, 3.7.2.
     pub const POSITION: Scale = Scale::of::<1, 1>();
 
-    /// Velocity: a step is 1875/262144 rpm.
+    /// Velocity: a step is 1875/262144 rpm (3.7.1, 3.7.2).
     ///
     /// 2³² / (128 × 4000 × 60), about 139.81.
-    ///
-    /// Source: 3.7.1, 3.7.2.
     pub const VELOCITY: Unit<Family, AngularVelocity> = Unit::of::<10_986_328_125, 256>();
 
-    /// Velocity: a step is 1875/33554432 rpm.
+    /// Velocity: a step is 1875/33554432 rpm (3.7.1).
     ///
     /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
-    ///
-    /// Source: 3.7.1.
     pub const VELOCITY_FEED_FORWARD: Unit<Family, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
-    /// Current: a step is 1/3280 Ipeak.
+    /// Current: a step is 1/3280 Ipeak (3.7.1, 3.7.2).
     ///
     /// Ipeak is the peak current of the amplifier.
-    ///
-    /// Source: 3.7.1, 3.7.2.
     pub const PEAK_CURRENT: Scale = Scale::of::<1, 3_280>();
 
-    /// Current: a step is 1 mA.
-    ///
-    /// Source: 3.7.2.
+    /// Current: a step is 1 mA (3.7.2).
     pub const MILLIAMPERE: Unit<Family, Current> = Unit::of::<1_000_000, 1>();
-
-    /// Voltage: a step is 1 mV.
-    ///
-    /// Source: 3.7.2.
+    /// Voltage: a step is 1 mV (3.7.2).
     pub const MILLIVOLT: Unit<Family, Voltage> = Unit::of::<1_000_000, 1>();
-
-    /// Voltage: a step is 1 V.
-    ///
-    /// Source: 3.7.2.
+    /// Voltage: a step is 1 V (3.7.2).
     pub const VOLT: Unit<Family, Voltage> = Unit::of::<1_000_000_000, 1>();
 }
 
@@ -4908,18 +4275,14 @@ pub mod s300 {
         TRANSITIONS, commands, ModeOfOperation, CONDITIONS, MODES, HOMING, MACHINE,
     };
 
-    /// The S300.
+    /// The S300 (A public configuration of a master, generated from the vendor's ESI file, product code;
+    /// akd: vendor id).
     ///
     /// Models: SERVOSTAR 300-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
-    /// vendor id.
-    ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
-    /// S600 is not known.
-    ///
-    /// Assumed, revision: no source gives it.
+    /// S600 is not known. Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S300;
 
@@ -4963,17 +4326,14 @@ pub mod s300 {
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1C12` Sync manager 2 PDO assignment.
+        /// `0x1C12` Sync manager 2 PDO assignment (3.5, 3.6, 3.6.1).
         ///
         /// Selects the mapping of the set values: 0 to subindex 0, the PDO to subindex 1, then 1 to subindex 0.
-        ///
-        /// Source: 3.5, 3.6, 3.6.1.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
             /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadWrite> = Entry::new(0x1C12, 0);
-
             /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
             pub const ENTRY_1: Entry<Family, u16, ReadWrite> = Entry::new(0x1C12, 1);
         }
@@ -4987,9 +4347,7 @@ pub mod s300 {
         pub const DIGITAL_IO: Entry<Family, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
     }
 
-    /// `0x60FD` Digital I/O.
-    ///
-    /// Source: 3.7.2.
+    /// `0x60FD` Digital I/O (3.7.2).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct DigitalIo(pub u16);
 
@@ -5028,11 +4386,9 @@ pub mod s300 {
 
     ::devc_runtime::value!(DigitalIo as u16);
 
-    /// `0x1B0A` Position interface with digital I/O, 10 bytes.
+    /// `0x1B0A` Position interface with digital I/O, 10 bytes (3.5, item 9).
     ///
     /// Interface 9.
-    ///
-    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -5094,11 +4450,9 @@ pub mod s300 {
         const MEMBERS: Members = Members::of(&[0]);
     }
 
-    /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
+    /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes (3.5, item 10).
     ///
     /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
-    ///
-    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -5215,9 +4569,7 @@ pub mod s300 {
         const MEMBERS: Members = Members::of(&[0]);
     }
 
-    /// The outputs of the master with the PDOs assigned by default, 6 bytes.
-    ///
-    /// Source: 3.1, 3.5.
+    /// The outputs of the master with the PDOs assigned by default, 6 bytes (3.1, 3.5).
     ///
     /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -5252,14 +4604,11 @@ pub mod s300 {
         const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1702>(0)];
     }
 
-    /// The inputs of the master with the PDOs assigned by default, 6 bytes.
-    ///
-    /// Source: 3.1, 3.5, 3.6.
+    /// The inputs of the master with the PDOs assigned by default, 6 bytes (3.1, 3.5, 3.6).
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
-    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
-    ///
-    /// Assumed, control: that of the AKD: three buffers.
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
+    /// control: that of the AKD: three buffers.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -5292,18 +4641,14 @@ pub mod s300 {
         const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
     }
 
-    /// What of the device bears on its bring-up, and on what process data it takes.
-    ///
-    /// Source: 3.1, 3.5.
+    /// What of the device bears on its bring-up, and on what process data it takes (3.1, 3.5) (3.1, 3.5,
+    /// 3.6).
     ///
     /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     ///
-    /// Source: 3.1, 3.5, 3.6.
-    ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
-    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
-    ///
-    /// Assumed, control: that of the AKD: three buffers.
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
+    /// control: that of the AKD: three buffers.
     pub const BRING_UP: BringUp = BringUp {
         name: "S300",
         member: 0,
@@ -5424,36 +4769,8 @@ pub mod s300 {
             8 rx_pdo_1600: sdo::List<u32, 30> = sdo::List {
                 count: 1,
                 items: [
-                    0x6040_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0, 0, 0
                 ]
             }, list;
             /// `0x1A00` Free mapping.
@@ -5462,38 +4779,8 @@ pub mod s300 {
             9 tx_pdo_1a00: sdo::List<u32, 32> = sdo::List {
                 count: 1,
                 items: [
-                    0x6041_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0, 0, 0, 0, 0
                 ]
             }, list;
             /// `0x1C12` Sync manager 2 PDO assignment.
@@ -6006,18 +5293,14 @@ pub mod s400 {
     };
     pub use super::s300::DigitalIo;
 
-    /// The S400.
+    /// The S400 (A public configuration of a master, generated from the vendor's ESI file, product code;
+    /// akd: vendor id).
     ///
     /// Models: SERVOSTAR 400-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
-    /// vendor id.
-    ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
-    /// S600 is not known.
-    ///
-    /// Assumed, revision: no source gives it.
+    /// S600 is not known. Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S400;
 
@@ -6061,25 +5344,20 @@ pub mod s400 {
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1C12` Sync manager 2 PDO assignment.
+        /// `0x1C12` Sync manager 2 PDO assignment (3.5, 3.6, 3.6.1).
         ///
         /// Selects the mapping of the set values: 0 to subindex 0, the PDO to subindex 1, then 1 to subindex 0.
-        ///
-        /// Source: 3.5, 3.6, 3.6.1.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
             /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Family, u8, ReadWrite> = Entry::new(0x1C12, 0);
-
             /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
             pub const ENTRY_1: Entry<Family, u16, ReadWrite> = Entry::new(0x1C12, 1);
         }
     }
 
-    /// The outputs of the master with the PDOs assigned by default, 6 bytes.
-    ///
-    /// Source: 3.1, 3.5.
+    /// The outputs of the master with the PDOs assigned by default, 6 bytes (3.1, 3.5).
     ///
     /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -6114,17 +5392,12 @@ pub mod s400 {
         const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
     }
 
-    /// The inputs of the master with the PDOs assigned by default, 6 bytes.
-    ///
-    /// Source: 3.1, 3.5, 3.6.
+    /// The inputs of the master with the PDOs assigned by default, 6 bytes (3.1, 3.5, 3.6).
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
-    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
-    ///
-    /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
-    /// have; it is the one that 0x1701 goes with.
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
+    /// control: that of the AKD: three buffers. Assumed, pdos: the manual names the default in the chapter
+    /// on the free mapping, which these do not have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -6157,21 +5430,15 @@ pub mod s400 {
         const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
     }
 
-    /// What of the device bears on its bring-up, and on what process data it takes.
-    ///
-    /// Source: 3.1, 3.5.
+    /// What of the device bears on its bring-up, and on what process data it takes (3.1, 3.5) (3.1, 3.5,
+    /// 3.6).
     ///
     /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     ///
-    /// Source: 3.1, 3.5, 3.6.
-    ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
-    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
-    ///
-    /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
-    /// have; it is the one that 0x1701 goes with.
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
+    /// control: that of the AKD: three buffers. Assumed, pdos: the manual names the default in the chapter
+    /// on the free mapping, which these do not have; it is the one that 0x1701 goes with.
     pub const BRING_UP: BringUp = BringUp {
         name: "S400",
         member: 1,
@@ -6727,18 +5994,14 @@ pub mod s600 {
     pub use super::s300::DigitalIo;
     pub use super::s400::{Outputs, OutputsView, Inputs, InputsView};
 
-    /// The S600.
+    /// The S600 (A public configuration of a master, generated from the vendor's ESI file, product code;
+    /// akd: vendor id).
     ///
     /// Models: SERVOSTAR 600-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
-    /// vendor id.
-    ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
-    /// S600 is not known.
-    ///
-    /// Assumed, revision: no source gives it.
+    /// S600 is not known. Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S600;
 
@@ -6784,21 +6047,15 @@ pub mod s600 {
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
     }
 
-    /// What of the device bears on its bring-up, and on what process data it takes.
-    ///
-    /// Source: 3.1, 3.5.
+    /// What of the device bears on its bring-up, and on what process data it takes (3.1, 3.5) (3.1, 3.5,
+    /// 3.6).
     ///
     /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     ///
-    /// Source: 3.1, 3.5, 3.6.
-    ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
-    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
-    ///
-    /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
-    /// have; it is the one that 0x1701 goes with.
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
+    /// control: that of the AKD: three buffers. Assumed, pdos: the manual names the default in the chapter
+    /// on the free mapping, which these do not have; it is the one that 0x1701 goes with.
     pub const BRING_UP: BringUp = BringUp {
         name: "S600",
         member: 2,
@@ -7191,18 +6448,14 @@ pub mod s700 {
     };
     pub use super::s300::{Outputs, OutputsView, Inputs, InputsView};
 
-    /// The S700.
+    /// The S700 (A public configuration of a master, generated from the vendor's ESI file, product code;
+    /// akd: vendor id).
     ///
     /// Models: S700.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
-    /// vendor id.
-    ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
-    /// S600 is not known.
-    ///
-    /// Assumed, revision: no source gives it.
+    /// S600 is not known. Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S700;
 
@@ -7256,9 +6509,7 @@ pub mod s700 {
         pub const DIGITAL_IO: Entry<Family, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
     }
 
-    /// `0x60FD` Digital I/O.
-    ///
-    /// Source: 3.7.2.
+    /// `0x60FD` Digital I/O (3.7.2).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct DigitalIo(pub u16);
 
@@ -7303,11 +6554,9 @@ pub mod s700 {
 
     ::devc_runtime::value!(DigitalIo as u16);
 
-    /// `0x1B0A` Position interface with digital I/O, 10 bytes.
+    /// `0x1B0A` Position interface with digital I/O, 10 bytes (3.5, item 9).
     ///
     /// Interface 9.
-    ///
-    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -7369,11 +6618,9 @@ pub mod s700 {
         const MEMBERS: Members = Members::of(&[3]);
     }
 
-    /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
+    /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes (3.5, item 10).
     ///
     /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
-    ///
-    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -7490,18 +6737,14 @@ pub mod s700 {
         const MEMBERS: Members = Members::of(&[3]);
     }
 
-    /// What of the device bears on its bring-up, and on what process data it takes.
-    ///
-    /// Source: 3.1, 3.5.
+    /// What of the device bears on its bring-up, and on what process data it takes (3.1, 3.5) (3.1, 3.5,
+    /// 3.6).
     ///
     /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     ///
-    /// Source: 3.1, 3.5, 3.6.
-    ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
-    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
-    ///
-    /// Assumed, control: that of the AKD: three buffers.
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
+    /// control: that of the AKD: three buffers.
     pub const BRING_UP: BringUp = BringUp {
         name: "S700",
         member: 3,
@@ -7586,36 +6829,8 @@ pub mod s700 {
             8 rx_pdo_1600: sdo::List<u32, 30> = sdo::List {
                 count: 1,
                 items: [
-                    0x6040_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0, 0, 0
                 ]
             }, list;
             /// `0x1A00` Free mapping.
@@ -7624,38 +6839,8 @@ pub mod s700 {
             9 tx_pdo_1a00: sdo::List<u32, 32> = sdo::List {
                 count: 1,
                 items: [
-                    0x6041_0010,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0
+                    0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    0, 0, 0, 0, 0, 0
                 ]
             }, list;
             /// `0x1C12` Sync manager 2 PDO assignment.

@@ -1,6 +1,6 @@
 //! Who says a fact, and how sure it is.
 
-use crate::source::{Layer, Member, Origin, Value};
+use crate::source::{Layer, Member, Node, Origin, Value};
 
 /// Who says a fact.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,24 +24,29 @@ pub enum Provenance {
 
 /// Who says the fact at `path` in a table.
 pub fn provenance(origin: &Origin, path: &str) -> Provenance {
-    match origin.layer(path) {
-        None => Provenance::Derived,
-        Some(Layer::Profile) => Provenance::Profile,
-        Some(Layer::Corrected(erratum)) => Provenance::Corrected(erratum),
-        Some(Layer::Contradicted(erratum)) => Provenance::Contradicted(erratum),
-        Some(Layer::Description) => {
-            reason(origin, path).map_or(Provenance::Stated, |reason| Provenance::Assumed(reason.to_owned()))
+    origin.layer(path).map_or(Provenance::Derived, |layer| author(layer, path, origin.node("assumed")))
+}
+
+/// Who says the fact at `path` that is in a layer, where the table gives these reasons for what is assumed.
+fn author(layer: Layer, path: &str, reasons: Option<&Node>) -> Provenance {
+    match layer {
+        Layer::Profile => Provenance::Profile,
+        Layer::Corrected(erratum) => Provenance::Corrected(erratum),
+        Layer::Contradicted(erratum) => Provenance::Contradicted(erratum),
+        Layer::Description => {
+            let reason = reasons.and_then(|reasons| reason(reasons, path));
+            reason.map_or(Provenance::Stated, |reason| Provenance::Assumed(reason.to_owned()))
         }
     }
 }
 
 /// Why the fact at `path` is assumed, if it is: the reason for the key, for a table around it, or for all of the table.
-fn reason<'o>(origin: &'o Origin, path: &str) -> Option<&'o str> {
+fn reason<'o>(reasons: &'o Node, path: &str) -> Option<&'o str> {
     let text = |value: &'o Value| match value {
         Value::String(text) => Some(&**text),
         _ => None,
     };
-    match &origin.node("assumed")?.value {
+    match &reasons.value {
         Value::Table(reasons) => {
             let covers = |member: &&Member| {
                 let rest = path.strip_prefix(&*member.key.name);
@@ -56,21 +61,21 @@ fn reason<'o>(origin: &'o Origin, path: &str) -> Option<&'o str> {
 /// The facts of a table by their paths, each with who says it. Facts of one table inside it that all have the same
 /// author are one.
 pub fn facts(origin: &Origin) -> Vec<(String, Provenance)> {
-    let mut facts = Vec::new();
+    let (mut facts, reasons) = (Vec::new(), origin.node("assumed"));
     for member in &origin.table().members {
         if !matches!(&*member.key.name, "source" | "assumed" | "entries" | "per-axis") {
-            gather(origin, &member.key.name, member, &mut facts);
+            gather(reasons, &member.key.name, member, &mut facts);
         }
     }
     facts
 }
 
-fn gather(origin: &Origin, path: &str, member: &Member, facts: &mut Vec<(String, Provenance)>) {
+fn gather(reasons: Option<&Node>, path: &str, member: &Member, facts: &mut Vec<(String, Provenance)>) {
     let first = facts.len();
     match &member.node.value {
         Value::Table(table) if !table.members.is_empty() => {
             for inner in &table.members {
-                gather(origin, &format!("{path}.{}", inner.key.name), inner, facts);
+                gather(reasons, &format!("{path}.{}", inner.key.name), inner, facts);
             }
             let inner = facts.get(first..).unwrap_or_default();
             if let Some((_, common)) = inner.first()
@@ -81,7 +86,7 @@ fn gather(origin: &Origin, path: &str, member: &Member, facts: &mut Vec<(String,
                 facts.push((path.to_owned(), common));
             }
         }
-        _ => facts.push((path.to_owned(), provenance(origin, path))),
+        _ => facts.push((path.to_owned(), author(member.layer, path, reasons))),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::text::characters::hazard;
+use crate::text::characters::{first_hazard, hazard};
 
 /// A character that has no business where it stands.
 #[derive(Debug, PartialEq, Eq)]
@@ -17,8 +17,10 @@ pub(super) struct Odd {
 /// Those that stand in a file as they are, comments included. Controls of ASCII are not among them: that they are not
 /// TOML says the parser.
 pub(super) fn raw(text: &str) -> impl Iterator<Item = Odd> {
+    let clean = first_hazard(text).unwrap_or(text.len());
     let mark = if text.starts_with('\u{FEFF}') { '\u{FEFF}'.len_utf8() } else { 0 };
-    let beyond = text.char_indices().filter(move |(at, c)| !c.is_ascii() && *at >= mark);
+    let rest = text.get(clean..).unwrap_or_default().char_indices().map(move |(at, c)| (clean + at, c));
+    let beyond = rest.filter(move |(at, c)| !c.is_ascii() && *at >= mark);
     beyond.filter_map(|(at, c)| Some(Odd { c, what: hazard(c)?, at: at..at + c.len_utf8() }))
 }
 

@@ -15,7 +15,12 @@ pub(crate) fn number(text: &str) -> Option<i64> {
 
 /// A number, or a range of numbers such as `"4..=6"`.
 pub(crate) fn range<T: TryFrom<i64> + PartialOrd + Copy>(text: &str) -> Option<RangeInclusive<T>> {
-    let (first, last) = text.split_once("..=").unwrap_or((text, text));
+    // most keys are words, and most others are a single number
+    if !text.trim_start().starts_with(|c: char| c == '-' || c.is_ascii_digit()) {
+        return None;
+    }
+    let span = if text.contains('.') { text.split_once("..=") } else { None };
+    let (first, last) = span.unwrap_or((text, text));
     let first = T::try_from(number(first.trim())?).ok()?;
     let last = T::try_from(number(last.trim())?).ok()?;
     (first <= last).then_some(first..=last)

@@ -13,7 +13,7 @@ use super::characters::{Odd, escaped, raw};
 use super::duplicate::Keys;
 use super::{CanonicalKey, FileId, Key, Layer, Location, Member, Node, Table, Value, limits};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
-use crate::text::characters::hazard;
+use crate::text::characters::first_hazard;
 
 /// Reads a text as TOML and reports every syntax error in it, every character that no text may hold, and what is
 /// longer or lies deeper than it may.
@@ -104,7 +104,7 @@ impl Parser<'_> {
 
     /// Reports what a key or a string stands for by escapes and may not hold.
     fn characters(&mut self, text: &str, span: &Range<usize>, is_key: bool) {
-        if !text.contains(|c| hazard(c).is_some() || is_key && matches!(c, '\n' | '\t')) {
+        if first_hazard(text).is_none() && !(is_key && text.contains(['\n', '\t'])) {
             return;
         }
         let holder = if is_key { "a key" } else { "a text" };

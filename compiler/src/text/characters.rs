@@ -36,40 +36,61 @@ pub fn hazard(c: char) -> Option<&'static str> {
 
 /// The text with what it may not hold written as `\u{1B}`, and line feeds as `\n`: one line for a terminal or a log.
 pub fn line(text: &str) -> Cow<'_, str> {
-    written(
-        text,
-        |c| c == '\n' || hazard(c).is_some(),
-        |c, out| match c {
-            '\n' => out.push_str("\\n"),
-            _ => {
-                let _ = write!(out, "\\u{{{:X}}}", u32::from(c));
-            }
-        },
-    )
+    let is_marked = |c| c == '\n' || is_hazard(c);
+    written(text, text.find(is_marked), is_marked, |c, out| match c {
+        '\n' => out.push_str("\\n"),
+        _ => {
+            let _ = write!(out, "\\u{{{:X}}}", u32::from(c));
+        }
+    })
 }
 
 /// The text with what it may not hold replaced by �, which has the same width wherever it is shown.
 pub fn harmless(text: &str) -> Cow<'_, str> {
-    written(text, |c| hazard(c).is_some(), |_, out| out.push(char::REPLACEMENT_CHARACTER))
+    written(text, first_hazard(text), is_hazard, |_, out| out.push(char::REPLACEMENT_CHARACTER))
 }
 
 /// JSON with what its strings may not hold as escapes. Outside of strings JSON is plain ASCII, so all of it is in them.
 pub fn json(text: &str) -> Cow<'_, str> {
-    written(
-        text,
-        |c| hazard(c).is_some(),
-        |c, out| {
-            let mut units = [0; 2];
-            for unit in c.encode_utf16(&mut units) {
-                let _ = write!(out, "\\u{unit:04x}");
-            }
-        },
-    )
+    written(text, first_hazard(text), is_hazard, |c, out| {
+        let mut units = [0; 2];
+        for unit in c.encode_utf16(&mut units) {
+            let _ = write!(out, "\\u{unit:04x}");
+        }
+    })
 }
 
-/// The text with each `marked` character written by `write`.
-fn written(text: &str, marked: impl Fn(char) -> bool, write: impl Fn(char, &mut String)) -> Cow<'_, str> {
-    let Some(first) = text.find(&marked) else { return Cow::Borrowed(text) };
+fn is_hazard(c: char) -> bool {
+    hazard(c).is_some()
+}
+
+/// Where the first hazard of a text is, if it has one.
+pub(crate) fn first_hazard(text: &str) -> Option<usize> {
+    let is_plain = |byte| matches!(byte, b'\t' | b'\n' | b' '..=b'~');
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        // most lines are plain, which is told of many bytes at once
+        let found = if line.bytes().fold(true, |all, byte| all & is_plain(byte)) {
+            None
+        } else {
+            line.find(is_hazard)
+        };
+        if let Some(at) = found {
+            return Some(start + at);
+        }
+        start += line.len();
+    }
+    None
+}
+
+/// The text with each `marked` character, of which there is a first one or none, written by `write`.
+fn written(
+    text: &str,
+    first: Option<usize>,
+    marked: impl Fn(char) -> bool,
+    write: impl Fn(char, &mut String),
+) -> Cow<'_, str> {
+    let Some(first) = first else { return Cow::Borrowed(text) };
     let (clean, rest) = text.split_at(first);
     let mut out = String::with_capacity(text.len() + 16);
     out.push_str(clean);

@@ -54,18 +54,31 @@ impl Doc {
         self
     }
 
-    /// Where the facts are from, if that is known.
-    pub(super) fn source(self, source: Option<&Source>, device: &Device) -> Self {
-        match source {
-            Some(source) => self.text(&format!("Source: {}.", escape(&place(source, device)))),
-            None => self,
+    /// Where the facts are from, if that is known: at the end of the title.
+    pub(super) fn source(mut self, source: Option<&Source>, device: &Device) -> Self {
+        let Some(source) = source else { return self };
+        if self.is_empty() {
+            return self.text(&format!("Source: {}.", escape(&place(source, device))));
         }
+        let rest = self.lines.iter().position(String::is_empty).unwrap_or(self.lines.len());
+        let rest = self.lines.split_off(rest);
+        let title = self.lines.join(" ");
+        let title = title.strip_suffix('.').unwrap_or(&title);
+        let mut doc = Self::new(format!("{title} ({}).", escape(&place(source, device))));
+        doc.lines.extend(rest);
+        doc
     }
 
-    /// Where the facts are from, and a line for each that is not from there: assumed, corrected, contradicted.
+    /// Where the facts are from, and a sentence for each that is not from there: assumed, corrected, contradicted.
     pub(super) fn said(self, source: Option<&Source>, origin: &Origin, device: &Device) -> Self {
         let departures = facts(origin).into_iter().filter_map(|(path, who)| departure(&path, &who, device));
-        departures.fold(self.source(source, device), |doc, line| doc.text(&escape(&line)))
+        self.source(source, device).sentences(departures)
+    }
+
+    /// Another paragraph, of these sentences, if there are any.
+    pub(super) fn sentences(self, sentences: impl Iterator<Item = String>) -> Self {
+        let sentences: Vec<String> = sentences.collect();
+        self.text(&escape(&sentences.join(" ")))
     }
 
     /// The documentation of the module that it stands in.

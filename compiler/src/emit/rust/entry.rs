@@ -2,31 +2,41 @@
 
 use super::axes::Placed;
 use super::default;
+use super::departures::Departures;
 use super::doc::{Doc, escape, place, sentence};
 use super::scope::Scope;
 use crate::model::{Access, Entry, Mappable, Object, Scale, Source, Unit};
 
-/// Index, name, type, access, range, unit, meaning and source.
-pub(super) fn doc(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry) -> Doc {
+/// Index, name, type, access, range, unit, meaning and source. What departs from it is given for an entry of several.
+pub(super) fn doc(
+    scope: &Scope<'_>,
+    placed: &Placed<'_, Object>,
+    entry: &Entry,
+    departures: Option<&Departures>,
+) -> Doc {
     let object = placed.first;
     let is_alone = object.entries.len() == 1;
     let about = entry.about.as_deref().or(object.about.as_deref().filter(|_| is_alone));
     let note = entry.note.as_deref().or(object.note.as_deref().filter(|_| is_alone));
     let source = entry.source.as_ref().or(object.source.as_ref().filter(|_| is_alone));
-    Doc::new(format!("{} {}", title(entry), facts(scope, entry, source)))
+    let doc = Doc::new(format!("{} {}", title(entry), facts(scope, entry, source)))
         .maybe(about)
         .maybe(note)
         .maybe(trigger(entry).as_deref())
-        .maybe(without_function(scope, placed, entry).as_deref())
-        .said(None, &entry.origin, scope.device)
+        .maybe(without_function(scope, placed, entry).as_deref());
+    match departures {
+        Some(departures) => departures.at_entry(doc, entry.address.subindex, scope.device),
+        None => doc.said(None, &entry.origin, scope.device),
+    }
 }
 
 /// What there is to say about an object of several entries.
-pub(super) fn object_doc(scope: &Scope<'_>, object: &Object) -> Doc {
-    Doc::new(format!("`{}` {}", object.index, sentence(&object.name)))
+pub(super) fn object_doc(scope: &Scope<'_>, object: &Object, departures: &Departures) -> Doc {
+    let doc = Doc::new(format!("`{}` {}", object.index, sentence(&object.name)))
         .maybe(object.about.as_deref())
         .maybe(object.note.as_deref())
-        .said(object.source.as_ref(), &object.origin, scope.device)
+        .said(object.source.as_ref(), &object.origin, scope.device);
+    departures.at_object(doc, scope.device)
 }
 
 /// Address and name.

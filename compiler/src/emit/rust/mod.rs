@@ -11,6 +11,7 @@ mod codes;
 mod commands;
 mod contents;
 mod default;
+mod departures;
 mod dictionary;
 mod doc;
 mod entry;

@@ -7,6 +7,7 @@ use quote::quote;
 
 use super::axes::Placed;
 use super::braces::braces;
+use super::departures::Departures;
 use super::doc::Doc;
 use super::entry;
 use super::item::{Item, Space};
@@ -26,11 +27,15 @@ fn object<'s>(scope: &'s Scope<'_>, placed: &'s Placed<'_, Object>, names: &mut 
     let item = match (object.entries.as_slice(), object.kind) {
         ([only], Kind::Var) => {
             let name = names.claim(&constant_name(placed, &placed.id));
-            Item::new(name.clone(), move || constant(scope, placed, only, &name))
+            Item::new(name.clone(), move || constant(scope, placed, only, &name, None))
         }
         _ => {
             let name = names.claim(&snake(&placed.id));
-            Item::new(name.clone(), move || (entry::object_doc(scope, object), module(scope, placed, &name)))
+            Item::new(name.clone(), move || {
+                let departures = Departures::of(object);
+                let doc = entry::object_doc(scope, object, &departures);
+                (doc, module(scope, placed, &name, &departures))
+            })
         }
     };
     let item = item.each(&placed.all, |item, object| item.of(*object));
@@ -43,11 +48,16 @@ fn object<'s>(scope: &'s Scope<'_>, placed: &'s Placed<'_, Object>, names: &mut 
 }
 
 /// The module of an object with several entries.
-fn module(scope: &Scope<'_>, placed: &Placed<'_, Object>, name: &Ident) -> TokenStream {
+fn module(
+    scope: &Scope<'_>,
+    placed: &Placed<'_, Object>,
+    name: &Ident,
+    departures: &Departures,
+) -> TokenStream {
     let mut names = Names::default();
     let constants = placed.first.entries.iter().map(|entry| {
         let name = names.claim(&constant_name(placed, &entry.id));
-        let (doc, code) = constant(scope, placed, entry, &name);
+        let (doc, code) = constant(scope, placed, entry, &name, Some(departures));
         quote!(#doc #code)
     });
     let imports = quote!(
@@ -67,8 +77,9 @@ fn constant(
     placed: &Placed<'_, Object>,
     entry: &Entry,
     name: &Ident,
+    departures: Option<&Departures>,
 ) -> (Doc, TokenStream) {
-    let doc = entry::doc(scope, placed, entry);
+    let doc = entry::doc(scope, placed, entry, departures);
     let (index, subindex) = (hex16(entry.address.index.0), number(entry.address.subindex));
     let (measurand, unit) = units::of_entry(scope, placed, entry).unzip();
     let ty = entry_type(scope, entry, measurand);

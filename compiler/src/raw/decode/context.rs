@@ -38,10 +38,9 @@ impl Context {
 
     /// Reports the keys of a table that are not among those known.
     pub(super) fn judge(&self, table: &Table, at: Location, known: &[&'static str]) {
-        let free: Vec<&'static str> =
-            known.iter().copied().filter(|name| table.get(name).is_none()).collect();
+        let is_free = |name: &&str| table.get(name).is_none();
         for member in table.members.iter().filter(|member| !known.contains(&&*member.key.name)) {
-            let meant = meant(&member.key, &free);
+            let meant = near(&member.key.name, known.iter().copied().filter(is_free));
             self.meant.borrow_mut().extend(meant.map(|name| (at, name)));
             self.found.borrow_mut().push(report(&member.key, meant, known));
         }
@@ -60,11 +59,7 @@ impl Context {
 
 /// That a key is none of those that its table may have.
 pub(crate) fn unknown_key(key: &Key, known: &[&'static str]) -> Diagnostic {
-    report(key, meant(key, known), known)
-}
-
-fn meant(key: &Key, known: &[&'static str]) -> Option<&'static str> {
-    near(&key.name, known.iter().copied())
+    report(key, near(&key.name, known.iter().copied()), known)
 }
 
 fn report(key: &Key, meant: Option<&str>, known: &[&'static str]) -> Diagnostic {

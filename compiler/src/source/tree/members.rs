@@ -36,7 +36,11 @@ impl Members {
             (CanonicalKey::Word(_), Some(_)) => Ordering::Greater,
         };
         if self.list.len() <= FEW {
-            return self.list.iter().position(|member| order(member).is_eq());
+            return self.list.iter().position(|member| match (&member.key.canonical, meant) {
+                (CanonicalKey::Range(first, last), Some(meant)) => (*first, *last) == meant,
+                (CanonicalKey::Word(word), None) => **word == *name,
+                _ => false,
+            });
         }
         let places = self.by_key.get_or_init(|| by_key(&self.list));
         let found = places.binary_search_by(|place| self.list.get(*place).map_or(Ordering::Less, order));

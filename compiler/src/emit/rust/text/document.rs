@@ -55,8 +55,8 @@ pub(super) enum Group {
     List { comma: bool },
     /// An item a line too, but only if nothing else can be broken.
     Generics { comma: bool },
-    /// As many items a line as fit.
-    Words,
+    /// As many items a line as fit, with a comma behind the last or without.
+    Words { comma: bool },
     /// A statement a line; all the blocks of an expression alike.
     Block,
     /// On the next line, if that makes it fit.
@@ -78,8 +78,10 @@ impl Document {
             return;
         };
         *end = number;
-        let comma =
-            matches!(group, Group::Words | Group::List { comma: true } | Group::Generics { comma: true });
+        let comma = match *group {
+            Group::Words { comma } | Group::List { comma } | Group::Generics { comma } => comma,
+            Group::Block | Group::Value => false,
+        };
         if *is_tall {
             self.heighten();
         }

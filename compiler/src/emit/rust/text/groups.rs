@@ -45,11 +45,11 @@ impl Printer {
         let keeps_comma = ends_with_comma && (self.is_exact || is_single);
         let is_rest = items.last().and_then(|item| item.first()).is_some_and(|token| token.is_sign(".."));
         let comma = !self.is_exact && !is_single && !is_rest;
-        let is_words = comma
+        let is_words = !is_rest
             && (delimiter == Delimiter::Bracket || shape == Shape::Imports)
             && items.iter().all(|item| is_word(item));
         let space = if delimiter == Delimiter::Brace && shape != Shape::Imports { " " } else { "" };
-        self.document.open(if is_words { Group::Words } else { Group::List { comma } }, space);
+        self.document.open(if is_words { Group::Words { comma } } else { Group::List { comma } }, space);
         self.each(items);
         if keeps_comma {
             self.document.text.push(',');

@@ -2,6 +2,7 @@
 
 use super::Printer;
 use super::document::Group;
+use super::lines::WIDTH;
 use super::statement::{Body, Kind, Statement};
 use super::token::{Token, outside_generics};
 
@@ -17,23 +18,44 @@ pub(super) enum Place {
 /// The columns that a constant may have to stand close to others.
 const SHORT: usize = 80;
 
+/// How much an item is to the eye.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Look {
+    /// A short line.
+    Short,
+    /// A line of documentation, and the item below it, on one line or with its value on the next.
+    Documented,
+    /// More than that.
+    Long,
+}
+
+impl Look {
+    /// The look of an item of this length, below so many lines of attributes.
+    fn of(lines: usize, length: usize) -> Self {
+        match lines {
+            0 if length <= SHORT => Self::Short,
+            1 if length <= WIDTH => Self::Documented,
+            _ => Self::Long,
+        }
+    }
+}
+
 impl Printer {
     /// Writes items or statements, and says whether they are but one expression.
     pub(super) fn statements(&mut self, tokens: &[Token], place: Place) -> bool {
         let mut rest = self.inner_attributes(tokens);
-        let mut before: Option<(Kind, bool)> = None;
+        let mut before: Option<(Kind, Look)> = None;
         let mut is_expression = rest.len() == tokens.len();
         while !rest.is_empty() {
             let between = before.map(|_| self.document.next_item(""));
-            let start = self.document.text.len();
+            let marks = self.document.marks.len();
             let tokens = self.attributes(rest);
-            let has_attributes = tokens.len() < rest.len();
+            let (lines, start) = (self.document.marks.len() - marks, self.document.text.len());
             let statement;
             (statement, rest) = Statement::first(tokens);
             self.statement(&statement);
-            let is_simple = !has_attributes && self.document.text.len() - start <= SHORT;
             is_expression &= before.is_none() && is_expression_of(&statement);
-            let this = (statement.kind, is_simple);
+            let this = (statement.kind, Look::of(lines, self.document.text.len() - start));
             if let (Some(before), Some(between)) = (before, between)
                 && !is_close(before, this, place)
             {
@@ -131,16 +153,15 @@ fn assigned(tokens: &[Token]) -> Option<usize> {
     outside_generics(tokens).find(|(_, token)| is_assignment(token)).map(|(place, _)| place)
 }
 
-/// Whether no empty line is to be between two items or statements, each with whether it is short and has no
-/// attributes.
-fn is_close(before: (Kind, bool), this: (Kind, bool), place: Place) -> bool {
+/// Whether no empty line is to be between two items or statements, each with its look.
+fn is_close(before: (Kind, Look), this: (Kind, Look), place: Place) -> bool {
     let is_item = |kind| matches!(kind, Kind::Item(_));
-    if place == Place::Body {
-        return !is_item(before.0) && !is_item(this.0) || before.0 == this.0 && before.1 && this.1;
-    }
-    match (before.0, this.0) {
-        (Kind::Import, Kind::Import) => true,
-        (Kind::Constant, Kind::Constant) | (Kind::Alias, Kind::Alias) => before.1 && this.1,
-        _ => false,
+    let is_alike = before.0 == this.0 && before.1 == this.1 && this.1 != Look::Long;
+    match (place, this.0) {
+        (Place::Body, _) => !is_item(before.0) && !is_item(this.0) || is_alike && this.1 == Look::Short,
+        (Place::Items, Kind::Import) => before.0 == Kind::Import,
+        (Place::Items, Kind::Constant) => is_alike,
+        (Place::Items, Kind::Alias) => is_alike && this.1 == Look::Short,
+        (Place::Items, _) => false,
     }
 }

@@ -3,7 +3,7 @@
 use super::document::{Document, Group, Kind, Mark};
 
 /// Columns of a line.
-const WIDTH: usize = 110;
+pub(super) const WIDTH: usize = 110;
 
 /// Columns by which what is inside stands further to the right.
 const INDENT: usize = 4;
@@ -97,7 +97,7 @@ impl Lines<'_> {
         }
         match group {
             Group::Value => return self.value(open, close, reach, indent),
-            Group::Words => {
+            Group::Words { .. } => {
                 self.newline(mark, inner);
                 self.words(first, close, inner);
             }
