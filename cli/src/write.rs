@@ -1,10 +1,10 @@
 //! Outputs on disk: compared first, then written whole or not at all.
 //!
-//! devc writes the outputs into the folder `<out>/<id>` and nothing else, and replaces only what it made itself. New files
+//! devc writes the outputs into the folder `<out>/<id>`, or a folder there, and nothing else, and replaces only what it made itself. New files
 //! go to drafts in the output folder; once all are there, they are renamed, so that a full disk leaves the old outputs as
 //! they were.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -13,11 +13,11 @@ use devc::emit::Files;
 
 use super::draft::Draft;
 use super::existing;
-use super::names::portable;
+use super::names::{portable, portable_path};
 use super::outcome::Failure;
 use super::report::number;
 use super::sums::{self, Sums};
-use super::workplace::Workplace;
+use super::workplace::{self, Workplace};
 
 /// What has to be done so that a device's folder holds its outputs.
 #[derive(Debug)]
@@ -42,11 +42,11 @@ impl<'a> Plan<'a> {
     pub(super) fn new(out: &'a Path, id: &str, files: &'a mut Files) -> Result<Self, Failure> {
         let folder = out.join(portable(id)?);
         let mut plan = Plan { out, folder, sums: Sums::default(), changes: BTreeMap::new(), unchanged: 0 };
-        plan.stay_inside()?;
+        plan.stay_inside(files.0.keys())?;
         plan.sums = Sums::read(&plan.folder, id)?;
         plan.sums.add(files, id);
         for (name, bytes) in &files.0 {
-            match plan.compare(portable(name)?, bytes)? {
+            match plan.compare(portable_path(name)?, bytes)? {
                 None => plan.unchanged += 1,
                 Some(change) => _ = plan.changes.insert(name.to_owned(), change),
             }
@@ -99,10 +99,10 @@ impl<'a> Plan<'a> {
         }
         // the sums last: up to then the old ones answer for the old files
         drafts.sort_by_key(|(_, name, _)| sums::are_in(name));
-        if !drafts.is_empty() {
-            make_folder(&self.folder)?;
-            self.stay_inside()?;
+        for folder in self.folders(self.changes.keys()) {
+            make_folder(&folder)?;
         }
+        self.stay_inside(self.changes.keys())?;
         for (draft, name, bytes) in drafts {
             // Somebody may have put a file of theirs there meanwhile.
             self.compare(name, bytes)?;
@@ -128,20 +128,28 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Sees to it that no link leads out of the output folder.
-    fn stay_inside(&self) -> Result<(), Failure> {
+    /// The folders of these files.
+    fn folders<'n>(&self, names: impl Iterator<Item = &'n String>) -> BTreeSet<PathBuf> {
+        names.map(|name| workplace::folder(&self.folder.join(name)).to_owned()).collect()
+    }
+
+    /// Sees to it that no link leads from a folder of these files out of the output folder.
+    fn stay_inside<'n>(&self, names: impl Iterator<Item = &'n String>) -> Result<(), Failure> {
+        self.folders(names).iter().chain([&self.folder]).try_for_each(|folder| self.is_inside(folder))
+    }
+
+    fn is_inside(&self, folder: &Path) -> Result<(), Failure> {
         let failure = |path: &Path, error: &io::Error| Failure::at("look into", path, error);
-        let folder = match fs::canonicalize(&self.folder) {
-            Ok(folder) => folder,
+        let found = match fs::canonicalize(folder) {
+            Ok(found) => found,
             // A link to where nothing is: it will be found when the folder is made.
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-            Err(error) => return Err(failure(&self.folder, &error)),
+            Err(error) => return Err(failure(folder, &error)),
         };
-        if folder.starts_with(fs::canonicalize(self.out).map_err(|error| failure(self.out, &error))?) {
+        if found.starts_with(fs::canonicalize(self.out).map_err(|error| failure(self.out, &error))?) {
             return Ok(());
         }
-        let what =
-            format!("`{}` is a link that leads out of `{}`", self.folder.display(), self.out.display());
+        let what = format!("`{}` is a link that leads out of `{}`", folder.display(), self.out.display());
         Err(Failure::new(what).help("remove the link, or name the folder it leads to with `--out`"))
     }
 }

@@ -121,6 +121,32 @@ fn the_output_folder_may_be_a_link() {
 }
 
 #[test]
+fn an_output_with_a_folder_of_its_own() {
+    let desk = Desk::sound();
+    let arguments = ["build", "--emit", "soes"];
+    desk.devc(&arguments).ends(0, &["drive.soes/utypes.h"]);
+    assert_eq!(desk.list("generated/drive"), ["drive.soes"]);
+    let files = ["ecat_options.h", "slave_objectlist.c", "utypes.h"];
+    assert_eq!(desk.list("generated/drive/drive.soes"), files);
+    desk.devc(&["build", "--emit", "soes", "--check"]).ends(0, &["3 files up to date"]);
+    desk.put("generated/drive/drive.soes/utypes.h", "/* mine */\n");
+    desk.devc(&arguments).ends(2, &["utypes.h` was not made by devc"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_out_of_the_output_folder_from_within() {
+    let desk = Desk::sound();
+    for folder in ["elsewhere", "generated", "generated/drive"] {
+        fs::create_dir(desk.path(folder)).expect("a folder");
+    }
+    desk.link("../../elsewhere", "generated/drive/drive.soes");
+    let what = "`generated/drive/drive.soes` is a link that leads out of `generated`";
+    desk.devc(&["build", "--emit", "soes"]).ends(2, &[what]);
+    assert!(desk.list("elsewhere").is_empty());
+}
+
+#[test]
 #[cfg(unix)]
 fn a_link_out_of_the_output_folder() {
     let desk = Desk::sound();

@@ -172,6 +172,9 @@ fn no_output_holds_a_hazard() {
     }
 }
 
+/// How a text begins and ends in C and what has that from C, and what escapes its end.
+const C_TEXT: (char, char) = ('"', '\\');
+
 /// What an output consists of, whatever its texts say.
 fn skeleton(name: &str, text: &str) -> Vec<String> {
     match name.rsplit('.').next() {
@@ -183,10 +186,11 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
         }
         Some("html") => tags(text),
         Some("rs") => tokens(text.parse().expect("Rust")),
-        Some("h" | "c") => program(text, ("/*", "*/")),
-        Some("lua") => program(text, ("--", "\n")),
-        Some("py") => program(text, ("#", "\n")),
-        Some("yaml") => program(text, ("#", "\n")),
+        Some("h" | "c") => program(text, ("/*", "*/"), C_TEXT),
+        Some("lua") => program(text, ("--", "\n"), C_TEXT),
+        Some("py") => program(text, ("#", "\n"), C_TEXT),
+        Some("yaml") => program(text, ("#", "\n"), C_TEXT),
+        Some("st") => program(text, ("(*", "*)"), ('\'', '$')),
         Some("eds") => sheet(text),
         _ => {
             let mut fenced = false;

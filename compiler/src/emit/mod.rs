@@ -34,8 +34,12 @@ pub mod rust;
 pub mod sii;
 #[cfg(all(test, feature = "cli"))]
 mod skeleton;
+#[cfg(feature = "soes")]
+pub mod soes;
 #[cfg(feature = "program")]
 mod steps;
+#[cfg(feature = "structured-text")]
+pub mod structured_text;
 #[cfg(feature = "template")]
 mod template;
 #[cfg(feature = "wireshark")]
@@ -55,8 +59,8 @@ pub trait Emitter: Sync {
     /// What it makes, in one line.
     fn summary(&self) -> &'static str;
 
-    /// How the names of its files end: `<family><end>`, or `<member><end>` where each member has one. No two outputs share
-    /// an end, so that they do not share a file.
+    /// How the names of its files end: `<family><end>`, or `<member><end>` where each member has one; a `/` in an end is that of
+    /// a folder. No two outputs share an end, so that they do not share a file.
     fn ends(&self) -> &'static [&'static str];
 
     /// The rules of the group `output` that say what it cannot hold. They are asked where it is wanted.
@@ -99,6 +103,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &sii::Sii,
     #[cfg(feature = "c")]
     &c::C,
+    #[cfg(feature = "soes")]
+    &soes::Soes,
     #[cfg(feature = "igh")]
     &igh::Igh,
     #[cfg(feature = "lcec")]
@@ -107,6 +113,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &icube::Icube,
     #[cfg(feature = "python")]
     &python::Python,
+    #[cfg(feature = "structured-text")]
+    &structured_text::StructuredText,
     #[cfg(feature = "eds")]
     &eds::Eds,
     #[cfg(feature = "wireshark")]
@@ -147,7 +155,7 @@ pub fn lints(emitters: impl IntoIterator<Item = &'static dyn Emitter>) -> Vec<&'
     emitters.into_iter().flat_map(|emitter| emitter.lints()).copied().collect()
 }
 
-/// Files by name, in the folder of the family.
+/// Files by name, in the folder of the family; one within a folder there has a `/` in its name.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
@@ -186,12 +194,33 @@ mod tests {
     }
 
     #[test]
+    #[cfg(feature = "cli")]
+    fn the_docs_tell_what_each_output_cannot_hold() {
+        let docs = include_str!("../../docs/outputs.md");
+        for emitter in ALL {
+            let name = format!("`{}`", emitter.name());
+            let is_about = |line: &&str| {
+                let of = line.strip_prefix("| ").and_then(|rest| rest.split(" |").next());
+                of.is_some_and(|of| of == "every one" || of.split(", ").any(|of| of == name))
+            };
+            let rows: Vec<&str> = docs.lines().filter(is_about).collect();
+            assert!(rows.len() > 1, "no row about {name}");
+            for rule in emitter.lints() {
+                let rule = format!("`{}`", rule.name);
+                assert!(rows.iter().any(|row| row.contains(&rule)), "{name}: {rule}");
+            }
+        }
+    }
+
+    #[test]
     fn no_two_outputs_share_a_file() {
         let ends: Vec<&str> = ALL.iter().flat_map(|emitter| emitter.ends()).copied().collect();
         for (at, end) in ends.iter().enumerate() {
             assert!(end.starts_with('.'), "{end} is no end of a name");
             let others = ends.iter().enumerate().filter(|(other, _)| *other != at);
-            let same: Vec<_> = others.filter(|(_, other)| other.ends_with(end)).collect();
+            // a family or a member has no folder in its name
+            let shares = |other: &str| other.strip_suffix(end).is_some_and(|rest| !rest.contains('/'));
+            let same: Vec<_> = others.filter(|(_, other)| shares(other)).collect();
             assert!(same.is_empty(), "{end} is the end of {same:?} too");
         }
     }

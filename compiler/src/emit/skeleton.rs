@@ -2,8 +2,9 @@
 
 #![allow(clippy::panic, clippy::indexing_slicing)] // a test may
 
-/// The tokens of C or Python without comments: names and texts by their kind, all else by what it is.
-pub(super) fn program(text: &str, comment: (&str, &str)) -> Vec<String> {
+/// The tokens of a program without comments: names and texts by their kind, all else by what it is. Texts are told by their
+/// quote and what escapes it.
+pub(super) fn program(text: &str, comment: (&str, &str), (quote, escape): (char, char)) -> Vec<String> {
     let (mut tokens, mut rest) = (Vec::new(), text);
     while let Some(first) = rest.chars().next() {
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -13,8 +14,8 @@ pub(super) fn program(text: &str, comment: (&str, &str)) -> Vec<String> {
                 .and_then(|inner| inner.find(comment.1))
                 .unwrap_or_else(|| panic!("a comment ends"));
             ("", 1 + end + comment.1.len())
-        } else if first == '"' {
-            ("text", literal(rest))
+        } else if first == quote {
+            ("text", literal(rest, quote, escape))
         } else if is_word(first) {
             let kind = if first.is_ascii_digit() { "number" } else { "name" };
             (kind, rest.find(|c| !is_word(c)).unwrap_or(rest.len()))
@@ -31,14 +32,14 @@ pub(super) fn program(text: &str, comment: (&str, &str)) -> Vec<String> {
 }
 
 /// The length of the literal that a text begins with; it ends in its line.
-fn literal(text: &str) -> usize {
+fn literal(text: &str, quote: char, escape: char) -> usize {
     let mut escaped = false;
     for (at, c) in text.char_indices().skip(1) {
         assert!(c != '\n', "a text ends in its line: {text:.60}");
-        if c == '"' && !escaped {
+        if c == quote && !escaped {
             return at + 1;
         }
-        escaped = c == '\\' && !escaped;
+        escaped = c == escape && !escaped;
     }
     panic!("a text ends");
 }

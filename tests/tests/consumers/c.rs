@@ -16,6 +16,11 @@ pub(crate) const STRICT: [&str; 5] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconve
 /// Names that C and C++ keep for themselves, of those that the corner has.
 const KEYWORDS: [&str; 2] = ["class", "int"];
 
+/// The compilers of C that are there.
+pub(crate) fn compilers() -> impl Iterator<Item = &'static str> {
+    [["gcc"], ["clang"]].iter().filter_map(|name| tool(name))
+}
+
 #[test]
 fn headers_do_what_the_model_says() {
     let Some(compiler) = tool(&["gcc", "cc"]) else { return };
@@ -44,17 +49,13 @@ fn check(subject: &Subject, member: &Json, compiler: &str) {
     other_ways(folder.path());
 }
 
-/// Compiled as what it is not run as: C++, and by another compiler.
+/// Compiled as what it is not run as: by another compiler, and as C++ by both.
 fn other_ways(folder: &Path) {
-    if let Some(compiler) = tool(&["g++", "c++"]) {
-        run(
-            folder,
-            compiler,
-            &[&STRICT[..], &["-x", "c++", "-std=c++17", "-fsyntax-only", "test.c"]].concat(),
-        );
-    }
-    if let Some(compiler) = tool(&["clang"]) {
-        run(folder, compiler, &[&STRICT[..], &["-std=c99", "-fsyntax-only", "test.c"]].concat());
+    let cpp = ["-x", "c++", "-std=c++17"];
+    for (compiler, language) in [("clang", &["-std=c99"][..]), ("g++", &cpp), ("clang++", &cpp)] {
+        if let Some(compiler) = tool(&[compiler]) {
+            run(folder, compiler, &[&STRICT[..], language, &["-fsyntax-only", "test.c"]].concat());
+        }
     }
 }
 

@@ -15,6 +15,8 @@ mod igh;
 mod lcec;
 mod model;
 mod python;
+mod soes;
+mod structured_text;
 mod tools;
 mod ways;
 mod wireshark;

@@ -4,6 +4,8 @@ mod packing;
 mod record;
 mod text;
 
+#[cfg(feature = "soes")]
+pub(super) use text::KEYWORDS;
 pub(super) use text::filters;
 
 use minijinja::context;

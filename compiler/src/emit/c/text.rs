@@ -5,7 +5,7 @@ use std::fmt::Write;
 use minijinja::Environment;
 
 /// Words of C up to C23 and of C++ up to C++20, and names that their headers define as macros.
-pub(super) const KEYWORDS: &[&str] = &[
+pub(in crate::emit) const KEYWORDS: &[&str] = &[
     "alignas",
     "alignof",
     "and",

@@ -20,7 +20,7 @@ use serde::Serialize;
 pub(super) use self::codes::Bits;
 pub(super) use self::codes::Word;
 use self::codes::{Error, Mode, Named, State};
-use self::dictionary::Object;
+pub(super) use self::dictionary::Object;
 use self::names::Names;
 use self::start_up::StartUp;
 use self::transport::{Clock, Identity, Manager};

@@ -41,6 +41,7 @@ mod empty_limits;
 pub(crate) mod empty_name;
 mod empty_reason;
 mod excluded_assignment;
+pub(crate) mod foreign_protocol;
 pub(crate) mod foreign_state;
 mod hidden_command;
 mod idle_enumeration;
@@ -79,6 +80,7 @@ mod overlapping_sync_managers;
 pub(crate) mod overlong_mode_code;
 pub(crate) mod overlong_name;
 pub(crate) mod overlong_pin;
+pub(crate) mod overlong_value;
 mod overruled_statement;
 mod oversized_pdo;
 pub(crate) mod oversized_write;
@@ -101,7 +103,10 @@ mod reserved_index;
 pub(crate) mod several_edges;
 mod stray_profile_object;
 mod subindex_gap;
+pub(crate) mod surplus_sync_manager;
+pub(crate) mod unaligned_value;
 pub(crate) mod uncontrolled_axis;
+pub(crate) mod uncopied_value;
 mod undefined_default;
 pub(crate) mod undersized_eeprom;
 mod undersized_sync_manager;
@@ -128,6 +133,7 @@ mod unscaled_axis;
 mod unsized_string;
 pub(crate) mod unslotted_axis;
 mod unsourced_fact;
+pub(crate) mod unspellable_text;
 pub(crate) mod unspoken_ability;
 mod unsupported_configuration_mode;
 mod unsupported_cycle_mode;
@@ -187,6 +193,7 @@ lints! {
     empty_name,
     empty_reason,
     excluded_assignment,
+    foreign_protocol,
     foreign_state,
     hidden_command,
     idle_enumeration,
@@ -225,6 +232,7 @@ lints! {
     overlong_mode_code,
     overlong_name,
     overlong_pin,
+    overlong_value,
     overruled_statement,
     oversized_pdo,
     oversized_write,
@@ -247,7 +255,10 @@ lints! {
     several_edges,
     stray_profile_object,
     subindex_gap,
+    surplus_sync_manager,
+    unaligned_value,
     uncontrolled_axis,
+    uncopied_value,
     undefined_default,
     undersized_eeprom,
     undersized_sync_manager,
@@ -274,6 +285,7 @@ lints! {
     unsized_string,
     unslotted_axis,
     unsourced_fact,
+    unspellable_text,
     unspoken_ability,
     unsupported_configuration_mode,
     unsupported_cycle_mode,

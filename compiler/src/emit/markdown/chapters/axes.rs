@@ -32,7 +32,7 @@ fn table(context: &Context<'_>, axes: &[Axis], shifts: &[Shift]) -> Table {
     Table::of(["No.", "Axis", "Motion", "Objects", "PDOs"], axes, |axis| {
         let Axis { number, name, about } = axis;
         [
-            (number + 1).to_string(),
+            (u16::from(*number) + 1).to_string(),
             format!("**{}**", text(name)),
             context.optional(about.as_deref()),
             list(shifts.iter().map(|shift| range_of(axis, shift))),
