@@ -38,23 +38,23 @@ fn alike<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> impl Iterator
     let wrong = wrong.to_lowercase();
     let mut work = WORK;
     names.filter(|name| !name.is_empty()).filter_map(move |name| {
-        let lower = name.to_lowercase();
         let most = name.chars().count().max(3) / 3;
-        if lacking(&wrong, &lower) > most {
+        if lacking(&wrong, name) > most {
             return None;
         }
+        let lower = name.to_lowercase();
         work = work.checked_sub(wrong.len().saturating_mul(lower.len()))?;
         let distance = strsim::damerau_levenshtein(&wrong, &lower);
         (distance <= most).then_some((distance, name))
     })
 }
 
-/// How many letters one word has that the other lacks, or less: at least as many are between them. It is counted
-/// in an instant, and most names are told apart by it.
+/// How many letters one word has that the other lacks, small and capital ones alike, or less: at least as many are between
+/// them. It is counted in an instant, and most names are told apart by it.
 fn lacking(one: &str, other: &str) -> usize {
     let mut counts = [0_isize; 64];
     let mut count = |word: &str, by| {
-        for letter in word.chars() {
+        for letter in word.chars().flat_map(char::to_lowercase) {
             // letters that share a place only make the sum smaller
             let place = usize::try_from(u32::from(letter) % 64).ok();
             place.and_then(|place| counts.get_mut(place)).into_iter().for_each(|count| *count += by);
