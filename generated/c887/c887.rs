@@ -151,11 +151,13 @@ pub mod objects {
     /// text has to fit.
     pub const MANUFACTURER_SOFTWARE_VERSION: Entry<C887, str, ReadOnly> = Entry::new(0x100A, 0);
 
-    /// `0x1018` Idendity object.
+    /// `0x1018` Identity object.
     ///
     /// Which device it is; the same as in the EEPROM.
     ///
     /// Source: p. 21.
+    ///
+    /// Corrected, name; the source says: name = Idendity object. A letter is wrong; the profile's name.
     pub mod identity_object {
         use super::*;
 
@@ -367,11 +369,14 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C11, 0);
     }
 
-    /// `0x1C12` Sync Manage r2 PDO assignment.
+    /// `0x1C12` Sync Manager 2 PDO assignment.
     ///
     /// The RxPDOs that sync manager 2 carries to the device, by index and in order.
     ///
     /// Source: p. 24.
+    ///
+    /// Corrected, name; the source says: name = Sync Manage r2 PDO assignment. The space is one letter too
+    /// early; 0x1C10 and 0x1C11 in the rows above have it right.
     pub mod sync_manager_2_pdo_assignment {
         use super::*;
 
@@ -402,11 +407,14 @@ pub mod objects {
         pub const ENTRY_7: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 7);
     }
 
-    /// `0x1C13` Sync Manager3 PDO assignment.
+    /// `0x1C13` Sync Manager 3 PDO assignment.
     ///
     /// The TxPDOs that sync manager 3 carries from the device, by index and in order.
     ///
     /// Source: p. 24.
+    ///
+    /// Corrected, name; the source says: name = Sync Manager3 PDO assignment. The space is missing; 0x1C10
+    /// and 0x1C11 in the rows above have it.
     pub mod sync_manager_3_pdo_assignment {
         use super::*;
 
@@ -3166,7 +3174,7 @@ pub mod dictionary {
         3 manufacturer_hardware_version: &'static str = "0", value;
         /// `0x100A:00` Manufacturer software version. STRING(32), ro, default "0".
         4 manufacturer_software_version: &'static str = "0", value;
-        /// `0x1018` Idendity object.
+        /// `0x1018` Identity object.
         5 identity_object: IdentityObject = IdentityObject {
             vendor_id: 0x076D,
             product_code: 3,
@@ -3180,12 +3188,12 @@ pub mod dictionary {
             entry_3: Entry3(3),
             entry_4: Entry4(4)
         }, record;
-        /// `0x1C12` Sync Manage r2 PDO assignment.
+        /// `0x1C12` Sync Manager 2 PDO assignment.
         ///
         /// UINT8, rw, written in PreOP only, default 6.
         7 sync_manager_2_pdo_assignment: sdo::List<u16, 7> =
             sdo::List { count: 6, items: [0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650, 0] }, list;
-        /// `0x1C13` Sync Manager3 PDO assignment.
+        /// `0x1C13` Sync Manager 3 PDO assignment.
         ///
         /// UINT8, rw, written in PreOP only, default 6.
         8 sync_manager_3_pdo_assignment: sdo::List<u16, 6> =
@@ -3363,7 +3371,7 @@ pub mod dictionary {
     }
 
     ::devc_runtime::record! {
-        /// `0x1018` Idendity object.
+        /// `0x1018` Identity object.
         pub struct IdentityObject;
 
         /// `0x1018:01` Vendor ID. UINT32, ro, default 0x076D.
@@ -3758,7 +3766,7 @@ pub mod dictionary {
 
     const NAMES_10: &[&str] = &[
         "Device type", "Error register", "Manufacturer device name", "Manufacturer hardware version",
-        "Manufacturer software version", "Idendity object", "Highest subindex supported", "Vendor ID",
+        "Manufacturer software version", "Identity object", "Highest subindex supported", "Vendor ID",
         "Product code", "Revision number", "Serial number",
     ];
 
@@ -3803,9 +3811,9 @@ pub mod dictionary {
     const NAMES_1C: &[&str] = &[
         "Sync Manager communication types", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
         "SubIndex 003", "SubIndex 004", "Sync Manager 0 PDO assignment", "Highest subindex supported",
-        "Sync Manager 1 PDO assignment", "Highest subindex supported", "Sync Manage r2 PDO assignment",
+        "Sync Manager 1 PDO assignment", "Highest subindex supported", "Sync Manager 2 PDO assignment",
         "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
-        "SubIndex 005", "SubIndex 006", "SubIndex 007", "Sync Manager3 PDO assignment",
+        "SubIndex 005", "SubIndex 006", "SubIndex 007", "Sync Manager 3 PDO assignment",
         "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
         "SubIndex 005", "SubIndex 006", "Configuration DC modus", "Highest subindex supported",
         "Synchronization type", "Cycle time", "Shift time", "Synchronization types supported",
