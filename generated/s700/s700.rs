@@ -1285,11 +1285,14 @@ pub mod objects {
     /// Assumed, access: no column for it; an actual value is only read.
     pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<Family, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-    /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
+    /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
     ///
     /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
     ///
     /// Taken outside the bus cycle.
+    ///
+    /// Corrected, name; the source says: name = Opemode request. A letter too many: the parameter is
+    /// OPMODE, and both fixed mappings have it so.
     ///
     /// Assumed, access: no column for it; the master writes a set value and can read it back.
     pub const OPMODE_REQUEST: Entry<Family, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
@@ -4958,7 +4961,7 @@ pub mod s300 {
             35 dprvar_actual_low: [i16; 8] = [0; 8], items;
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             36 digital_software_outputs: i32 = 0, value;
-            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
+            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
             37 opmode_request: u16 = 0, value;
             /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             38 opmode_message: i16 = 0, value;
@@ -5685,7 +5688,7 @@ pub mod s400 {
             33 dprvar_actual_low: [i16; 8] = [0; 8], items;
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             34 digital_software_outputs: i32 = 0, value;
-            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
+            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
             35 opmode_request: u16 = 0, value;
             /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             36 opmode_message: i16 = 0, value;
@@ -6306,7 +6309,7 @@ pub mod s600 {
             33 dprvar_actual_low: [i16; 8] = [0; 8], items;
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             34 digital_software_outputs: i32 = 0, value;
-            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
+            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
             35 opmode_request: u16 = 0, value;
             /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             36 opmode_message: i16 = 0, value;
@@ -7023,7 +7026,7 @@ pub mod s700 {
             35 dprvar_actual_low: [i16; 8] = [0; 8], items;
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             36 digital_software_outputs: i32 = 0, value;
-            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
+            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
             37 opmode_request: u16 = 0, value;
             /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             38 opmode_message: i16 = 0, value;

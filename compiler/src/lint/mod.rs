@@ -11,6 +11,7 @@ mod sibling;
 #[cfg(test)]
 mod tests;
 mod texts;
+mod words;
 
 pub use checked::Checked;
 pub use levels::Levels;

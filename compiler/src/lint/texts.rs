@@ -1,7 +1,7 @@
 //! The texts that travel to other tools.
 
-use crate::model::{Device, Place, Section};
-use crate::source::Location;
+use crate::model::{Device, Field, Place, Section};
+use crate::source::{Location, Origin};
 
 /// A text, what it belongs to by the name that errata use, and where it stands.
 pub(super) struct Text<'d> {
@@ -28,4 +28,51 @@ pub(super) fn names(device: &Device) -> impl Iterator<Item = Text<'_>> {
     let modes = device.sync_modes.iter();
     let modes = modes.map(move |it| text(Section::SyncModes.at(&it.id), it.origin.value("name"), &it.name));
     head.chain(pdos).chain(modes)
+}
+
+/// A name as it is written.
+pub(super) struct Named<'d> {
+    pub(super) at: Place,
+    pub(super) name: &'d str,
+    pub(super) origin: &'d Origin,
+    /// Where the table of the origin has it.
+    pub(super) path: String,
+}
+
+/// The names that people know parts of a device by.
+pub(super) fn named(device: &Device) -> Vec<Named<'_>> {
+    let mut all = Vec::new();
+    let mut add =
+        |at: Place, name, origin| all.push(Named { at, name, origin, path: "name".to_owned() });
+    for object in &device.objects {
+        add(object.index.into(), object.name.as_str(), &object.origin);
+        let entries = object.entries.iter().filter(|_| object.entries.len() > 1);
+        entries.for_each(|it| add(it.address.into(), &it.name, &it.origin));
+    }
+    device.pdos.iter().for_each(|it| add(it.index.into(), &it.name, &it.origin));
+    device.states.iter().for_each(|it| add(Section::States.at(&it.id), &it.name, &it.origin));
+    device.commands.iter().for_each(|it| add(Section::Commands.at(&it.id), &it.name, &it.origin));
+    device.modes.iter().for_each(|it| add(Section::Modes.at(it.code), &it.name, &it.origin));
+    device.errors.iter().for_each(|it| add(it.place(), &it.name, &it.origin));
+    device.words.iter().for_each(|it| add(Section::Words.at(&it.id), &it.name, &it.origin));
+    all.extend(bits(device));
+    all
+}
+
+/// The names of bits, in words and as modes have them.
+fn bits(device: &Device) -> impl Iterator<Item = Named<'_>> {
+    let words = device.words.iter().map(|it| (Section::Words.at(&it.id), &it.origin, "bits", &it.fields));
+    let modes = device.modes.iter().flat_map(|it| {
+        let of_mode = [("control-bits", &it.control_bits), ("status-bits", &it.status_bits)];
+        of_mode.map(|(key, fields)| (Section::Modes.at(it.code).at(key), &it.origin, key, fields))
+    });
+    words.chain(modes).flat_map(|(at, origin, key, fields)| {
+        let is_named = |field: &&Field| !field.reserved && !field.per_mode;
+        fields.iter().filter(is_named).map(move |field| {
+            let path = field.path(key);
+            let long = format!("{path}.name");
+            let path = if origin.has(&long) { long } else { path };
+            Named { at: at.clone().at(field.low), name: &field.name, origin, path }
+        })
+    })
 }

@@ -10,6 +10,7 @@ mod ambiguous_value_name;
 mod ambiguous_vendor_code;
 pub(crate) mod channelless_value;
 pub(crate) mod clashing_identifier;
+mod code_in_range;
 mod commanded_automatic_transition;
 mod contradicted_activation;
 mod contradicted_assignment;
@@ -62,6 +63,7 @@ mod misdirected_entry;
 mod misordered_sync_managers;
 mod misplaced_pdo;
 mod misplaced_sync_manager;
+mod misspelt_name;
 pub(crate) mod missing_config_data;
 mod missing_group;
 mod missing_mandatory_pdo;
@@ -120,6 +122,7 @@ pub(crate) mod unlike_slots;
 mod unlistable_mode;
 mod unmappable_entry;
 mod unmapped_mode;
+mod unmapped_set_value;
 pub(super) mod unmended_erratum;
 mod unnumbered_group;
 mod unplaced_object;
@@ -162,6 +165,7 @@ lints! {
     ambiguous_vendor_code,
     channelless_value,
     clashing_identifier,
+    code_in_range,
     commanded_automatic_transition,
     contradicted_activation,
     contradicted_assignment,
@@ -214,6 +218,7 @@ lints! {
     misordered_sync_managers,
     misplaced_pdo,
     misplaced_sync_manager,
+    misspelt_name,
     missing_config_data,
     missing_group,
     missing_mandatory_pdo,
@@ -272,6 +277,7 @@ lints! {
     unlistable_mode,
     unmappable_entry,
     unmapped_mode,
+    unmapped_set_value,
     unmended_erratum,
     unnumbered_group,
     unplaced_object,

@@ -1,4 +1,5 @@
 use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::words::words;
 use crate::lint::{Report, lookup};
 use crate::model::Device;
 
@@ -54,12 +55,6 @@ fn akin(one: &str, other: &str) -> bool {
     let (one, other) = (words(one), words(other));
     let (few, many) = if one.len() <= other.len() { (&one, &other) } else { (&other, &one) };
     one.concat() == other.concat() || many.windows(few.len().max(1)).any(|part| part == few.as_slice())
-}
-
-/// The words of a name in lower case.
-fn words(name: &str) -> Vec<String> {
-    let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_lowercase).collect()
 }
 
 #[cfg(test)]

@@ -1,0 +1,102 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::lint::texts::{self, Named};
+use crate::lint::words::{Vocabulary, is_slip, words};
+use crate::model::Device;
+use crate::source::{Layer, Node, Value};
+
+rule! {
+    /// A name with a misprint is not found by the one who looks for it, and stands in every master's list. It shows where
+    /// the profile or other names of the device have a word that is the same but for one letter, a space, or two letters in
+    /// the other order. Other endings, and the two ways to spell English, are none.
+    ///
+    /// If the source has the misprint, it stays as printed, and an erratum says what holds.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// profiles = ["cia402"]
+    ///
+    /// [objects.0x60D5]
+    /// name = "Touch probe 1 positive egde counter"
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// profiles = ["cia402"]
+    ///
+    /// [objects.0x60D5]
+    /// name = "Touch probe 1 positive edges counter"
+    /// ```
+    pub(super) static RULE = "misspelt-name", Facts, Warning,
+        "a name has a misprint";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    let names = texts::named(device);
+    let mapped = device.pdos.iter().flat_map(|pdo| &pdo.entries).map(|mapped| mapped.name.as_str());
+    let vocabulary = Vocabulary::of(names.iter().map(|named| named.name).chain(mapped));
+    let is_written = |named: &&Named<'_>| {
+        named.origin.layer(&named.path).is_some_and(|layer| layer != Layer::Profile)
+    };
+    for named in names.iter().filter(is_written) {
+        let found = against_profile(named, report).or_else(|| against_others(named, &vocabulary));
+        if let Some(diagnostic) = found {
+            report.push(named.at.clone(), diagnostic);
+        }
+    }
+}
+
+/// A name in which each word is the profile's, or a slip of it; or whose letters are the profile's, but parted elsewhere.
+fn against_profile(named: &Named<'_>, report: &Report) -> Option<Diagnostic> {
+    let (usual, node) = profile(named, report)?;
+    let (own, theirs) = (words(named.name), words(usual));
+    if own == theirs || own.len() != theirs.len() {
+        return None;
+    }
+    let mut differing = own.iter().zip(&theirs).filter(|(word, meant)| word != meant);
+    let is_parted = own.concat() == theirs.concat();
+    if !is_parted && !differing.clone().all(|(word, meant)| is_slip(word, meant)) {
+        return None;
+    }
+    let (word, meant) = differing.next()?;
+    let message = if is_parted {
+        format!("{} is called `{}`, with a space in another place than in `{usual}`", named.at, named.name)
+    } else {
+        format!("{} is called `{}`, with `{word}` for `{meant}`", named.at, named.name)
+    };
+    let diagnostic = told(named, message).label(node.at, "the profile's name");
+    Some(diagnostic)
+}
+
+/// A name with a word that other names have otherwise.
+fn against_others(named: &Named<'_>, vocabulary: &Vocabulary) -> Option<Diagnostic> {
+    words(named.name).iter().find_map(|word| {
+        let message = if let Some((meant, uses)) = vocabulary.meant(word) {
+            let others = if uses == 1 { "another name has" } else { "other names have" };
+            format!("{} is called `{}`, with `{word}`, where {others} `{meant}`", named.at, named.name)
+        } else {
+            let meant = vocabulary.parted(word)?;
+            format!("{} is called `{}`, with `{word}`, where other names have `{meant}`", named.at, named.name)
+        };
+        Some(told(named, message))
+    })
+}
+
+fn told(named: &Named<'_>, message: String) -> Diagnostic {
+    let at = named.origin.value(&named.path);
+    Diagnostic::new(&RULE, message, at, "perhaps a misprint")
+        .help("correct it; if the source has it so, say in an erratum what holds")
+}
+
+/// The profile's name for it, which may stand alone or in a table.
+fn profile<'d>(named: &Named<'d>, report: &Report) -> Option<(&'d str, &'d Node)> {
+    let short = named.path.strip_suffix(".name");
+    let paths = [Some(named.path.clone()), short.map(str::to_owned), Some(format!("{}.name", named.path))];
+    paths.into_iter().flatten().find_map(|path| {
+        let node = report.profile(named.origin, &path)?;
+        match &node.value {
+            Value::String(name) => Some((&**name, node)),
+            _ => None,
+        }
+    })
+}
