@@ -47,8 +47,8 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
-    MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
-    Unmapped,
+    Carrier, MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx,
+    SyncManager, Tx, Unmapped,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{
@@ -56,16 +56,13 @@ use ::devc_runtime::unit::{
 };
 use ::devc_runtime::{Device, error};
 
-/// The C-887.53x.
+/// The C-887.53x (p. 21).
 ///
 /// Models: C-887.53, C-887.531, C-887.532, C-887.533.
 ///
-/// Source: p. 21.
-///
 /// Contradicted, revision: The only number that the manual gives, and no number of a release. The
-/// vendor's ESI file may have another.
-///
-/// Contradicted, serial: The digits in a row are no number of a device, and all devices would share it.
+/// vendor's ESI file may have another. Contradicted, serial: The digits in a row are no number of a
+/// device, and all devices would share it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct C887;
 
@@ -151,11 +148,9 @@ pub mod objects {
     /// text has to fit.
     pub const MANUFACTURER_SOFTWARE_VERSION: Entry<C887, str, ReadOnly> = Entry::new(0x100A, 0);
 
-    /// `0x1018` Identity object.
+    /// `0x1018` Identity object (p. 21).
     ///
     /// Which device it is; the same as in the EEPROM.
-    ///
-    /// Source: p. 21.
     ///
     /// Corrected, name; the source says: name = Idendity object. A letter is wrong; the profile's name.
     pub mod identity_object {
@@ -185,9 +180,7 @@ pub mod objects {
         pub const SERIAL_NUMBER: Entry<C887, u32, ReadOnly> = Entry::new(0x1018, 4);
     }
 
-    /// `0x1600` RxPDO - CSP.
-    ///
-    /// Source: p. 21, p. 22.
+    /// `0x1600` RxPDO - CSP (p. 21, p. 22).
     pub mod rx_pdo_1600 {
         use super::*;
 
@@ -212,9 +205,7 @@ pub mod objects {
         }
     }
 
-    /// `0x1601` RxPDO - PP.
-    ///
-    /// Source: p. 21, p. 22.
+    /// `0x1601` RxPDO - PP (p. 21, p. 22).
     pub mod rx_pdo_1601 {
         use super::*;
 
@@ -249,9 +240,7 @@ pub mod objects {
         }
     }
 
-    /// `0x1A00` TxPDO - CSP.
-    ///
-    /// Source: p. 22 to 24.
+    /// `0x1A00` TxPDO - CSP (p. 22 to 24).
     pub mod tx_pdo_1a00 {
         use super::*;
 
@@ -281,9 +270,7 @@ pub mod objects {
         }
     }
 
-    /// `0x1A01` TxPDO - PP.
-    ///
-    /// Source: p. 23, p. 24.
+    /// `0x1A01` TxPDO - PP (p. 23, p. 24).
     pub mod tx_pdo_1a01 {
         use super::*;
 
@@ -308,17 +295,14 @@ pub mod objects {
         }
     }
 
-    /// `0x1C00` Sync Manager communication types.
+    /// `0x1C00` Sync Manager communication types (p. 24).
     ///
     /// What each sync manager is used for.
-    ///
-    /// Source: p. 24.
     pub mod sync_manager_communication_type {
         use super::*;
 
         /// `0x1C00:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C00, 0);
-
         /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
         pub const ENTRY_1: Entry<C887, Entry1, ReadOnly> = Entry::new(0x1C00, 1);
 
@@ -341,11 +325,9 @@ pub mod objects {
         pub const ENTRY_4: Entry<C887, Entry4, ReadOnly> = Entry::new(0x1C00, 4);
     }
 
-    /// `0x1C10` Sync Manager 0 PDO assignment.
+    /// `0x1C10` Sync Manager 0 PDO assignment (p. 24).
     ///
     /// The PDOs of sync manager 0: none, for it carries the mailbox to the device.
-    ///
-    /// Source: p. 24.
     pub mod sync_manager_0_pdo_assignment {
         use super::*;
 
@@ -355,11 +337,9 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C10, 0);
     }
 
-    /// `0x1C11` Sync Manager 1 PDO assignment.
+    /// `0x1C11` Sync Manager 1 PDO assignment (p. 24).
     ///
     /// The PDOs of sync manager 1: none, for it carries the mailbox from the device.
-    ///
-    /// Source: p. 24.
     pub mod sync_manager_1_pdo_assignment {
         use super::*;
 
@@ -369,11 +349,9 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C11, 0);
     }
 
-    /// `0x1C12` Sync Manager 2 PDO assignment.
+    /// `0x1C12` Sync Manager 2 PDO assignment (p. 24).
     ///
     /// The RxPDOs that sync manager 2 carries to the device, by index and in order.
-    ///
-    /// Source: p. 24.
     ///
     /// Corrected, name; the source says: name = Sync Manage r2 PDO assignment. The space is one letter too
     /// early; 0x1C10 and 0x1C11 in the rows above have it right.
@@ -382,22 +360,16 @@ pub mod objects {
 
         /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadWrite> = Entry::new(0x1C12, 0);
-
         /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1600.
         pub const ENTRY_1: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 1);
-
         /// `0x1C12:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1610.
         pub const ENTRY_2: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 2);
-
         /// `0x1C12:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1620.
         pub const ENTRY_3: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 3);
-
         /// `0x1C12:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1630.
         pub const ENTRY_4: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 4);
-
         /// `0x1C12:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1640.
         pub const ENTRY_5: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 5);
-
         /// `0x1C12:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1650.
         pub const ENTRY_6: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 6);
 
@@ -407,11 +379,9 @@ pub mod objects {
         pub const ENTRY_7: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 7);
     }
 
-    /// `0x1C13` Sync Manager 3 PDO assignment.
+    /// `0x1C13` Sync Manager 3 PDO assignment (p. 24).
     ///
     /// The TxPDOs that sync manager 3 carries from the device, by index and in order.
-    ///
-    /// Source: p. 24.
     ///
     /// Corrected, name; the source says: name = Sync Manager3 PDO assignment. The space is missing; 0x1C10
     /// and 0x1C11 in the rows above have it.
@@ -420,31 +390,25 @@ pub mod objects {
 
         /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadWrite> = Entry::new(0x1C13, 0);
-
         /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1A00.
         pub const ENTRY_1: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 1);
-
         /// `0x1C13:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1A10.
         pub const ENTRY_2: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 2);
-
         /// `0x1C13:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1A20.
         pub const ENTRY_3: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 3);
-
         /// `0x1C13:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1A30.
         pub const ENTRY_4: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 4);
-
         /// `0x1C13:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1A40.
         pub const ENTRY_5: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 5);
-
         /// `0x1C13:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1A50.
         pub const ENTRY_6: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 6);
     }
 
-    /// `0x1C32` Configuration DC modus.
+    /// `0x1C32` Configuration DC modus (p. 4, p. 24).
     ///
     /// How the outputs, the data from the master, keep time, and how well they do.
     ///
-    /// Source: p. 4, p. 24.
+    /// Assumed, default of 1, 4: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
     pub mod sm_output_parameter {
         use super::*;
 
@@ -454,8 +418,6 @@ pub mod objects {
         /// `0x1C32:01` Synchronization type. UINT16, rw, default 2.
         ///
         /// What starts the handling of the outputs.
-        ///
-        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPE: Entry<C887, SynchronizationType, ReadWrite> = Entry::new(0x1C32, 1);
 
         /// `0x1C32:02` Cycle time. UINT32, rw.
@@ -472,8 +434,6 @@ pub mod objects {
         ///
         /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
         /// clocks, bits 5 and 6 those to shift the outputs, bit 14 that times depend on what is configured.
-        ///
-        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<C887, u16, ReadOnly> = Entry::new(0x1C32, 4);
 
         /// `0x1C32:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
@@ -525,15 +485,15 @@ pub mod objects {
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C32, 32);
     }
 
-    /// `0x1C33` SM input parameter.
+    /// `0x1C33` SM input parameter (p. 4, p. 24).
     ///
     /// How the inputs, the data for the master, keep time, and how well they do.
-    ///
-    /// Source: p. 4, p. 24.
     ///
     /// Corrected, name; the source says: name = Configuration DC modus. The profile's name. The manual has
     /// one name for 0x1C32, which is about the outputs, and 0x1C33, which is about the inputs; it stands in
     /// the row of the entries.
+    ///
+    /// Assumed, default of 1, 4: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
     pub mod sm_input_parameter {
         use super::*;
 
@@ -543,8 +503,6 @@ pub mod objects {
         /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
         ///
         /// What starts the handling of the inputs.
-        ///
-        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPE: Entry<C887, SmInputParameterSynchronizationType, ReadWrite> =
             Entry::new(0x1C33, 1);
 
@@ -562,8 +520,6 @@ pub mod objects {
         ///
         /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
         /// clocks, bits 5 and 6 those to shift the inputs, bit 14 that times depend on what is configured.
-        ///
-        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<C887, u16, ReadOnly> = Entry::new(0x1C33, 4);
 
         /// `0x1C33:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
@@ -614,14 +570,12 @@ pub mod objects {
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C33, 32);
     }
 
-    /// `0x5000` Work coordinate system.
+    /// `0x5000` Work coordinate system (p. 5, p. 14, p. 17, p. 18, p. 24).
     ///
     /// Defines the work coordinate system, which 0x5010:01 activates.
     ///
     /// Set to its default on delivery and active from power-on, as the EtherCAT interface is. GCS commands
     /// cannot change it meanwhile.
-    ///
-    /// Source: p. 5, p. 14, p. 17, p. 18, p. 24.
     pub mod work_coordinate_system {
         use super::*;
 
@@ -653,14 +607,12 @@ pub mod objects {
             Entry::new(0x5000, 6).measured_in(units::SDO_ANGLE);
     }
 
-    /// `0x5001` Tool coordinate system.
+    /// `0x5001` Tool coordinate system (p. 5, p. 14, p. 17, p. 18, p. 24, p. 25).
     ///
     /// Defines the tool coordinate system, which 0x5010:02 activates.
     ///
     /// Set to its default on delivery and active from power-on, as the EtherCAT interface is. GCS commands
     /// cannot change it meanwhile.
-    ///
-    /// Source: p. 5, p. 14, p. 17, p. 18, p. 24, p. 25.
     pub mod tool_coordinate_system {
         use super::*;
 
@@ -692,71 +644,53 @@ pub mod objects {
             Entry::new(0x5001, 6).measured_in(units::SDO_ANGLE);
     }
 
-    /// `0x5008` Motor homing method.
-    ///
-    /// Source: p. 25.
+    /// `0x5008` Motor homing method (p. 25).
     pub mod motor_homing_method {
         use super::*;
 
         /// `0x5008:00` Highest subindex supported. UINT8, ro, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5008, 0);
-
         /// `0x5008:01` Axis 1. INT32, rw, default 0.
         pub const AXIS_1: Entry<C887, i32, ReadWrite> = Entry::new(0x5008, 1);
-
         /// `0x5008:02` Axis 2. INT32, rw, default 0.
         pub const AXIS_2: Entry<C887, i32, ReadWrite> = Entry::new(0x5008, 2);
-
         /// `0x5008:03` Axis 3. INT32, rw, default 0.
         pub const AXIS_3: Entry<C887, i32, ReadWrite> = Entry::new(0x5008, 3);
-
         /// `0x5008:04` Axis 4. INT32, rw, default 0.
         pub const AXIS_4: Entry<C887, i32, ReadWrite> = Entry::new(0x5008, 4);
-
         /// `0x5008:05` Axis 5. INT32, rw, default 0.
         pub const AXIS_5: Entry<C887, i32, ReadWrite> = Entry::new(0x5008, 5);
-
         /// `0x5008:06` Axis 6. INT32, rw, default 0.
         pub const AXIS_6: Entry<C887, i32, ReadWrite> = Entry::new(0x5008, 6);
     }
 
-    /// `0x5009` Software version.
-    ///
-    /// Source: p. 25.
+    /// `0x5009` Software version (p. 25).
     pub mod software_version {
         use super::*;
 
         /// `0x5009:00` Highest subindex supported. UINT8, ro, default 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5009, 0);
-
         /// `0x5009:01` GCSFW. INT32, ro, default 0.
         pub const GCSFW: Entry<C887, i32, ReadOnly> = Entry::new(0x5009, 1);
-
         /// `0x5009:02` DSPFW. INT32, ro, default 0.
         pub const DSPFW: Entry<C887, i32, ReadOnly> = Entry::new(0x5009, 2);
-
         /// `0x5009:03` FPGAFW. INT32, ro, default 0.
         pub const FPGAFW: Entry<C887, i32, ReadOnly> = Entry::new(0x5009, 3);
-
         /// `0x5009:04` IMAGEVER. INT32, ro, default 0.
         pub const IMAGEVER: Entry<C887, i32, ReadOnly> = Entry::new(0x5009, 4);
     }
 
-    /// `0x5010` Buffered parameters.
+    /// `0x5010` Buffered parameters (p. 17, p. 18, p. 25).
     ///
     /// Writing 1 to an entry sets off what it stands for.
-    ///
-    /// Source: p. 17, p. 18, p. 25.
     pub mod buffered_parameters {
         use super::*;
 
         /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
         ///
         /// Corrected, type; the source says: type = INT32. Subindex 0 is a UINT8 in each other object for which
-        /// the manual gives its type; the row repeats the type of the entries.
-        ///
-        /// Corrected, default; the source says: default = 2. Entries 1 to 4 are listed, and the text uses 3 and
-        /// 4.
+        /// the manual gives its type; the row repeats the type of the entries. Corrected, default; the source
+        /// says: default = 2. Entries 1 to 4 are listed, and the text uses 3 and 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5010, 0);
 
         /// `0x5010:01` Work coordinates. INT32, rw, default 0.
@@ -793,43 +727,33 @@ pub mod objects {
         pub const RESET_ERRORCODE: Entry<C887, i32, ReadWrite> = Entry::new(0x5010, 4);
     }
 
-    /// `0x5011` Direction for Travelrange.
+    /// `0x5011` Direction for Travelrange (p. 17, p. 25).
     ///
     /// The direction to ask for: the components of the axes on its vector. They can be negative; at least
     /// one is other than 0.
-    ///
-    /// Source: p. 17, p. 25.
     pub mod direction_for_travelrange {
         use super::*;
 
         /// `0x5011:00` Highest subindex supported. UINT8, ro, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5011, 0);
-
         /// `0x5011:01` Axis X. INT32, rw, default 0.
         pub const AXIS_X: Entry<C887, i32, ReadWrite> = Entry::new(0x5011, 1);
-
         /// `0x5011:02` Axis Y. INT32, rw, default 0.
         pub const AXIS_Y: Entry<C887, i32, ReadWrite> = Entry::new(0x5011, 2);
-
         /// `0x5011:03` Axis Z. INT32, rw, default 0.
         pub const AXIS_Z: Entry<C887, i32, ReadWrite> = Entry::new(0x5011, 3);
-
         /// `0x5011:04` Axis U. INT32, rw, default 0.
         pub const AXIS_U: Entry<C887, i32, ReadWrite> = Entry::new(0x5011, 4);
-
         /// `0x5011:05` Axis V. INT32, rw, default 0.
         pub const AXIS_V: Entry<C887, i32, ReadWrite> = Entry::new(0x5011, 5);
-
         /// `0x5011:06` Axis W. INT32, rw, default 0.
         pub const AXIS_W: Entry<C887, i32, ReadWrite> = Entry::new(0x5011, 6);
     }
 
-    /// `0x5012` Available Travelrange.
+    /// `0x5012` Available Travelrange (p. 14, p. 17, p. 18, p. 25, p. 26).
     ///
     /// The farthest absolute position that can be commanded in the direction of 0x5011 from the position at
     /// the time of the query.
-    ///
-    /// Source: p. 14, p. 17, p. 18, p. 25, p. 26.
     pub mod available_travelrange {
         use super::*;
 
@@ -861,9 +785,7 @@ pub mod objects {
             Entry::new(0x5012, 6).measured_in(units::SDO_ANGLE);
     }
 
-    /// `0x5013` Debug Information.
-    ///
-    /// Source: p. 9, p. 26.
+    /// `0x5013` Debug Information (p. 9, p. 26).
     pub mod debug_information {
         use super::*;
 
@@ -882,15 +804,13 @@ pub mod objects {
         pub const RESERVED: Entry<C887, i32, ReadOnly> = Entry::new(0x5013, 2);
     }
 
-    /// `0x5014` Maximum Velocity and Acceleration.
+    /// `0x5014` Maximum Velocity and Acceleration (p. 14, p. 17, p. 18, p. 26).
     ///
     /// How fast the platform may move; filled in by the travel range query. The text says angular where the
     /// dictionary says rotational.
     ///
     /// Where motions superpose, the velocities hold for the present position only and can be lower along
     /// the way.
-    ///
-    /// Source: p. 14, p. 17, p. 18, p. 26.
     pub mod maximum_velocity_and_acceleration {
         use super::*;
 
@@ -984,13 +904,14 @@ pub mod objects {
         axis.entry(0x607A, 0x800, 0).measured_in(units::position(axis))
     }
 
-    /// `0x607D` Software position limit.
+    /// `0x607D` Software position limit (p. 26 to 31).
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Source: p. 26 to 31.
-    ///
     /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+    ///
+    /// Contradicted, default of 1, 2: Between 0 and 0 there is no way to move; so the limits are filled in
+    /// at start, or not in force. On all six axes.
     pub mod software_position_limit {
         use super::*;
 
@@ -1000,11 +921,6 @@ pub mod objects {
         }
 
         /// `0x607D:01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
-        ///
-        /// Contradicted, default: Between 0 and 0 there is no way to move; so the limits are filled in at
-        /// start, or not in force. On all six axes.
-        ///
-        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn min_position_limit(
             axis: Axis,
         ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
@@ -1012,11 +928,6 @@ pub mod objects {
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
-        ///
-        /// Contradicted, default: Between 0 and 0 there is no way to move; so the limits are filled in at
-        /// start, or not in force. On all six axes.
-        ///
-        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn max_position_limit(
             axis: Axis,
         ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
@@ -1024,14 +935,12 @@ pub mod objects {
         }
     }
 
-    /// `0x6093` Position factor.
+    /// `0x6093` Position factor (p. 6, p. 14, p. 26 to 31).
     ///
     /// The scale of the positions and velocities in process data.
     ///
     /// Position actual value = position internal value × numerator / denominator, in mm or deg; the
     /// internal value is what process data carries. The master has to be set to the same numbers.
-    ///
-    /// Source: p. 6, p. 14, p. 26 to 31.
     pub mod position_factor {
         use super::*;
 
@@ -1069,12 +978,10 @@ pub mod objects {
         axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
 
-    /// `0x60C2` Interpolation time period.
+    /// `0x60C2` Interpolation time period (p. 26 to 31).
     ///
     /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
     /// 10^index seconds.
-    ///
-    /// Source: p. 26 to 31.
     pub mod interpolation_time_period {
         use super::*;
 
@@ -1154,12 +1061,10 @@ pub mod objects {
     }
 }
 
-/// `0x6040` Controlword.
+/// `0x6040` Controlword (p. 11, p. 12, figure 5).
 ///
 /// Bits 0 to 3 and 7 together make a command. The bits are set and accepted on the first axis only, and
 /// act on all.
-///
-/// Source: p. 11, p. 12, figure 5.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Controlword(pub u16);
 
@@ -1214,11 +1119,9 @@ impl core::fmt::Display for Controlword {
 
 ::devc_runtime::value!(Controlword as u16);
 
-/// `0x6041` Statusword.
+/// `0x6041` Statusword (p. 9, p. 12, p. 13, figures 8 and 9).
 ///
 /// Bits 0 to 6 show the state. All axes show the same.
-///
-/// Source: p. 9, p. 12, p. 13, figures 8 and 9.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Statusword(pub u16);
 
@@ -1319,11 +1222,9 @@ impl core::fmt::Display for Statusword {
 
 ::devc_runtime::value!(Statusword as u16);
 
-/// `0x1001` Error register.
+/// `0x1001` Error register (p. 18).
 ///
 /// What has occurred. Cleared by a fault reset (transition 15), or through 0x5010:04 if none was sent.
-///
-/// Source: p. 18.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct ErrorRegister(pub u8);
 
@@ -1595,13 +1496,10 @@ pub struct SynchronizationType(pub u16);
 impl SynchronizationType {
     /// Free run.
     pub const FREE_RUN: Self = Self(0);
-
     /// Synchronous with SM2 event.
     pub const SYNCHRONOUS_WITH_SM2_EVENT: Self = Self(1);
-
     /// Synchronous with SYNC0 event.
     pub const SYNCHRONOUS_WITH_SYNC0_EVENT: Self = Self(2);
-
     /// Synchronous with SYNC1 event.
     pub const SYNCHRONOUS_WITH_SYNC1_EVENT: Self = Self(3);
 
@@ -1630,10 +1528,8 @@ pub struct GetCycleTime(pub u16);
 impl GetCycleTime {
     /// Measurement stopped.
     pub const MEASUREMENT_STOPPED: Self = Self(0);
-
     /// Measurement started.
     pub const MEASUREMENT_STARTED: Self = Self(1);
-
     /// Measurement and error counters reset.
     pub const MEASUREMENT_AND_ERROR_COUNTERS_RESET: Self = Self(2);
 
@@ -1661,16 +1557,12 @@ pub struct SmInputParameterSynchronizationType(pub u16);
 impl SmInputParameterSynchronizationType {
     /// Free run.
     pub const FREE_RUN: Self = Self(0);
-
     /// Synchronous with SM3 event.
     pub const SYNCHRONOUS_WITH_SM3_EVENT: Self = Self(1);
-
     /// Synchronous with SYNC0 event.
     pub const SYNCHRONOUS_WITH_SYNC0_EVENT: Self = Self(2);
-
     /// Synchronous with SYNC1 event.
     pub const SYNCHRONOUS_WITH_SYNC1_EVENT: Self = Self(3);
-
     /// Synchronous with SM2 event.
     pub const SYNCHRONOUS_WITH_SM2_EVENT: Self = Self(34);
 
@@ -1700,25 +1592,18 @@ pub struct HexapodState(pub i32);
 impl HexapodState {
     /// Not ready to switch on.
     pub const NOT_READY_TO_SWITCH_ON: Self = Self(1);
-
     /// Switch on disabled.
     pub const SWITCH_ON_DISABLED: Self = Self(2);
-
     /// Ready to switch on.
     pub const READY_TO_SWITCH_ON: Self = Self(3);
-
     /// Switched on.
     pub const SWITCHED_ON: Self = Self(4);
-
     /// Operation enabled.
     pub const OPERATION_ENABLED: Self = Self(5);
-
     /// Quick stop active.
     pub const QUICK_STOP_ACTIVE: Self = Self(6);
-
     /// Fault reaction active.
     pub const FAULT_REACTION_ACTIVE: Self = Self(7);
-
     /// Fault.
     pub const FAULT: Self = Self(8);
 
@@ -1747,19 +1632,15 @@ impl HexapodState {
 pub struct VendorCode(pub u32);
 
 impl VendorCode {
-    /// COMMAND\_NOT\_ALLOWED\_IN\_EXTERNAL\_MODE.
+    /// COMMAND\_NOT\_ALLOWED\_IN\_EXTERNAL\_MODE (p. 5, p. 20).
     ///
     /// A GCS command that is not allowed in external mode. In the state Operation enabled those that start
     /// or stop motion, and WPA, are blocked.
-    ///
-    /// Source: p. 5, p. 20.
     pub const COMMAND_NOT_ALLOWED_IN_EXTERNAL_MODE: Self = Self(700);
 
-    /// INVALID\_MODE\_OF\_OPERATION.
+    /// INVALID\_MODE\_OF\_OPERATION (p. 11, p. 20).
     ///
     /// A mode of operation other than 0, 6 and 8.
-    ///
-    /// Source: p. 11, p. 20.
     pub const INVALID_MODE_OF_OPERATION: Self = Self(715);
 
     /// What the value stands for, if the description says so.
@@ -1786,15 +1667,11 @@ impl VendorCode {
 
 ::devc_runtime::value!(VendorCode as u32);
 
-/// `0x1600` RxPDO - CSP, 7 bytes. One for each axis, 0x10 apart, up to `0x1650`.
+/// `0x1600` RxPDO - CSP, 7 bytes. One for each axis, 0x10 apart, up to `0x1650` (p. 21, p. 22).
 ///
 /// Not together with `0x1601`.
 ///
-/// Source: p. 21, p. 22.
-///
-/// Assumed, excludes: both would set the same objects.
-///
-/// Assumed, mode: from its name.
+/// Assumed, excludes: both would set the same objects. Assumed, mode: from its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1600 {
     /// `0x6040:00` Controlword.
@@ -1865,17 +1742,13 @@ impl Pdo for RxPdo1600 {
     ];
 }
 
-/// `0x1601` RxPDO - PP, 15 bytes. One for each axis, 0x10 apart, up to `0x1651`.
+/// `0x1601` RxPDO - PP, 15 bytes. One for each axis, 0x10 apart, up to `0x1651` (p. 21, p. 22).
 ///
 /// Not together with `0x1600`.
 ///
-/// Source: p. 21, p. 22.
-///
-/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other.
-///
-/// Assumed, excludes: both would set the same objects.
-///
-/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
+/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed, excludes:
+/// both would set the same objects. Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers
+/// any other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -1962,15 +1835,11 @@ impl Pdo for RxPdo1601 {
     ];
 }
 
-/// `0x1A00` TxPDO - CSP, 11 bytes. One for each axis, 0x10 apart, up to `0x1A50`.
+/// `0x1A00` TxPDO - CSP, 11 bytes. One for each axis, 0x10 apart, up to `0x1A50` (p. 22 to 24).
 ///
 /// Not together with `0x1A01`.
 ///
-/// Source: p. 22 to 24.
-///
-/// Assumed, excludes: both would send the same objects.
-///
-/// Assumed, mode: from its name.
+/// Assumed, excludes: both would send the same objects. Assumed, mode: from its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A00 {
     /// `0x6041:00` Statusword.
@@ -2047,17 +1916,13 @@ impl Pdo for TxPdo1A00 {
     ];
 }
 
-/// `0x1A01` TxPDO - PP, 7 bytes. One for each axis, 0x10 apart, up to `0x1A51`.
+/// `0x1A01` TxPDO - PP, 7 bytes. One for each axis, 0x10 apart, up to `0x1A51` (p. 23, p. 24).
 ///
 /// Not together with `0x1A00`.
 ///
-/// Source: p. 23, p. 24.
-///
-/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other.
-///
-/// Assumed, excludes: both would send the same objects.
-///
-/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
+/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed, excludes:
+/// both would send the same objects. Contradicted, mode: The modes are 0, 6 and 8; GCS error 715
+/// answers any other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.
@@ -2128,15 +1993,10 @@ impl Pdo for TxPdo1A01 {
     ];
 }
 
-/// The outputs of the master with the PDOs assigned by default, 42 bytes.
+/// The outputs of the master with the PDOs assigned by default, 42 bytes (p. 24).
 ///
-/// Source: p. 24.
-///
-/// Assumed, address: no source gives it; behind the mailboxes.
-///
-/// Assumed, max-size: six PP PDOs of 15 bytes.
-///
-/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
+/// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: six PP PDOs of 15
+/// bytes. Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outputs {
     /// RxPDO - CSP of each axis, in order.
@@ -2192,24 +2052,19 @@ impl Outputs {
 
 impl ProcessImage for Outputs {
     const PDOS: &'static [MappedPdo] = &[
-        MappedPdo::of_axis::<RxPdo1600>(0),
-        MappedPdo::of_axis::<RxPdo1600>(1),
-        MappedPdo::of_axis::<RxPdo1600>(2),
-        MappedPdo::of_axis::<RxPdo1600>(3),
-        MappedPdo::of_axis::<RxPdo1600>(4),
-        MappedPdo::of_axis::<RxPdo1600>(5),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(0),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(1),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(2),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(3),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(4),
+        ::devc_runtime::pdo::of_axis::<RxPdo1600>(5),
     ];
 }
 
-/// The inputs of the master with the PDOs assigned by default, 66 bytes.
+/// The inputs of the master with the PDOs assigned by default, 66 bytes (p. 24).
 ///
-/// Source: p. 24.
-///
-/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-///
-/// Assumed, max-size: six CSP PDOs of 11 bytes.
-///
-/// Assumed, control: three buffers.
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+/// max-size: six CSP PDOs of 11 bytes. Assumed, control: three buffers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inputs {
     /// TxPDO - CSP of each axis, in order.
@@ -2267,37 +2122,27 @@ impl Inputs {
 
 impl ProcessImage for Inputs {
     const PDOS: &'static [MappedPdo] = &[
-        MappedPdo::of_axis::<TxPdo1A00>(0),
-        MappedPdo::of_axis::<TxPdo1A00>(1),
-        MappedPdo::of_axis::<TxPdo1A00>(2),
-        MappedPdo::of_axis::<TxPdo1A00>(3),
-        MappedPdo::of_axis::<TxPdo1A00>(4),
-        MappedPdo::of_axis::<TxPdo1A00>(5),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(0),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(1),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(2),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(3),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(4),
+        ::devc_runtime::pdo::of_axis::<TxPdo1A00>(5),
     ];
 }
 
-/// What of the device bears on its bring-up, and on what process data it takes.
+/// What of the device bears on its bring-up, and on what process data it takes (p. 24) (p. 24).
 ///
-/// Source: p. 24.
+/// Assumed, address: no source gives it; behind the mailboxes. Assumed, max-size: six PP PDOs of 15
+/// bytes. Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
 ///
-/// Assumed, address: no source gives it; behind the mailboxes.
-///
-/// Assumed, max-size: six PP PDOs of 15 bytes.
-///
-/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
-///
-/// Source: p. 24.
-///
-/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-///
-/// Assumed, max-size: six CSP PDOs of 11 bytes.
-///
-/// Assumed, control: three buffers.
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
+/// max-size: six CSP PDOs of 11 bytes. Assumed, control: three buffers.
 pub const BRING_UP: BringUp = BringUp {
     name: "C-887.53x",
     member: 0,
     outputs: Some(SyncManager {
-        default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
+        carriers: &[Carrier { assignment: 0x1C12, pdos: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650] }],
         assignable: true,
         slots: 7,
         max_size: Some(90),
@@ -2312,7 +2157,7 @@ pub const BRING_UP: BringUp = BringUp {
         ],
     }),
     inputs: Some(SyncManager {
-        default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
+        carriers: &[Carrier { assignment: 0x1C13, pdos: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50] }],
         assignable: true,
         slots: 6,
         max_size: Some(66),
@@ -2335,7 +2180,7 @@ pub const BRING_UP: BringUp = BringUp {
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
     ],
-    cycles: &[CycleLimit { least_ns: 1000000, choices_ns: &[] }],
+    cycles: &[CycleLimit { least_ns: 1000000, choices_ns: &[], modes: &[], pdos: &[] }],
 };
 
 /// Start-up lists of the choices that are described, what to write in order, and the process data that
@@ -2343,15 +2188,13 @@ pub const BRING_UP: BringUp = BringUp {
 pub mod configurations {
     use super::*;
 
-    /// CSP and homing on all axes.
+    /// CSP and homing on all axes (p. 4, p. 11, p. 24, p. 26).
     ///
     /// As delivered, so a master need not write it; one that does may change the assignment in
     /// Pre-Operational only. The mode is not part of it: 0x6060 of the first axis travels with the process
     /// data, as a mode is selected in the state Operation enabled.
     ///
     /// Cycle time: 1 ms.
-    ///
-    /// Source: p. 4, p. 11, p. 24, p. 26.
     ///
     /// Assumed, cycle-time: the shortest, which is the default of 0x60C2; whether another has to be written
     /// there is not said.
@@ -2514,57 +2357,43 @@ pub const TRANSITIONS: &[Transition] = {
 pub mod commands {
     use super::*;
 
-    /// Shutdown. `0xxx x110`
+    /// Shutdown. `0xxx x110` (p. 12, p. 17).
     ///
     /// Leads to Ready to switch on. If the hexapod moves, it slows down on the quick-stop ramp.
-    ///
-    /// Source: p. 12, p. 17.
     pub const SHUTDOWN: Command = Command::new("shutdown", 0x0087, 0x0006, &[2, 6, 8]);
 
-    /// Switch on. `0xxx 0111`
+    /// Switch on. `0xxx 0111` (p. 9, p. 12).
     ///
     /// Applies high-level power.
-    ///
-    /// Source: p. 9, p. 12.
     pub const SWITCH_ON: Command = Command::new("switch on", 0x008F, 0x0007, &[3]);
 
-    /// Disable voltage. `0xxx xx0x`
+    /// Disable voltage. `0xxx xx0x` (p. 12, p. 17).
     ///
     /// Leads to Switch on disabled. If the hexapod moves, it slows down on the quick-stop ramp.
-    ///
-    /// Source: p. 12, p. 17.
     pub const DISABLE_VOLTAGE: Command = Command::new("disable voltage", 0x0082, 0x0000, &[7, 9, 10, 12]);
 
-    /// Quick stop. `0xxx x01x`
+    /// Quick stop. `0xxx x01x` (p. 12, p. 17).
     ///
     /// Stops the hexapod on the quick-stop ramp, and it stays in Quick stop active.
-    ///
-    /// Source: p. 12, p. 17.
     pub const QUICK_STOP: Command = Command::new("quick stop", 0x0086, 0x0002, &[11]);
 
-    /// Disable operation. `0xxx 0111`
+    /// Disable operation. `0xxx 0111` (p. 9, p. 12, p. 17).
     ///
     /// Ends the drive function. If the hexapod moves, it slows down on the quick-stop ramp.
-    ///
-    /// Source: p. 9, p. 12, p. 17.
     pub const DISABLE_OPERATION: Command = Command::new("disable operation", 0x008F, 0x0007, &[5]);
 
-    /// Enable operation. `0xxx 1111`
+    /// Enable operation. `0xxx 1111` (p. 9, p. 12).
     ///
     /// Enables the drive function.
-    ///
-    /// Source: p. 9, p. 12.
     ///
     /// Corrected, transitions; the source says: transitions = 4, 16. Transition 16 is said not to be
     /// supported, and the table of transitions ends at 15.
     pub const ENABLE_OPERATION: Command = Command::new("enable operation", 0x008F, 0x000F, &[4]);
 
-    /// Fault reset. `rxxx xxxx`
+    /// Fault reset. `rxxx xxxx` (p. 12).
     ///
     /// Makes transition 15 in every state but two, in which it is ignored. Only the rising edge of bit 7
     /// counts.
-    ///
-    /// Source: p. 12.
     pub const FAULT_RESET: Command = Command::new("fault reset", 0x0080, 0x0080, &[15]).on(Edge::Rising(
         0x0080,
     )).ignored_in(StateSet::of(&[State::SwitchOnDisabled, State::FaultReactionActive]));
@@ -2578,14 +2407,12 @@ pub mod commands {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(i8)]
 pub enum ModeOfOperation {
-    /// No mode change / no mode assigned.
+    /// No mode change / no mode assigned (p. 4, p. 11, p. 18).
     ///
     /// A safe basic state: target positions are ignored. Needed for activating coordinate systems. On page
     /// 4, No mode changes / no mode selected.
-    ///
-    /// Source: p. 4, p. 11, p. 18.
     NoMode = 0,
-    /// Homing mode.
+    /// Homing mode (p. 4, p. 11 to 15).
     ///
     /// Makes a reference move of the hexapod. Selected on the first axis, active on all.
     ///
@@ -2599,10 +2426,8 @@ pub enum ModeOfOperation {
     /// - Make sure that hexapod, load and surroundings cannot collide during the reference move.
     /// - Leave nothing where moving parts could catch it.
     /// - After a successful reference move, go back to the reference position, zero by default, by a target position and not by another reference move.
-    ///
-    /// Source: p. 4, p. 11 to 15.
     Hm = 6,
-    /// Cyclic Synchronous Position mode.
+    /// Cyclic Synchronous Position mode (p. 4, p. 11 to 13, p. 15 to 17).
     ///
     /// The master sends Cartesian target positions every cycle and controls the position. Selected on the
     /// first axis, active on all.
@@ -2615,8 +2440,6 @@ pub enum ModeOfOperation {
     /// - The path must be continuously differentiable at least twice.
     /// - Velocity and acceleration must not exceed what is permitted for the hexapod.
     /// - A suitable program should make the target positions and send them without a break.
-    ///
-    /// Source: p. 4, p. 11 to 13, p. 15 to 17.
     Csp = 8,
 }
 
@@ -2682,18 +2505,14 @@ pub const MODES: Modes = Modes {
     refusal: Refusal::Fault,
 };
 
-/// The bits that start a reference run in mode 6 and show how far it is.
-///
-/// Source: p. 4, p. 11 to 15.
+/// The bits that start a reference run in mode 6 and show how far it is (p. 4, p. 11 to 15).
 pub const HOMING: HomingBits = HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
-/// The state machine, as both sides run it.
+/// The state machine, as both sides run it (p. 11, p. 12).
 ///
 /// Bits of the controlword that lead to an undefined transition are an error, as is a transition that
 /// the present state does not permit. After transitions 13 and 14 all axes stay in Fault until the
 /// master acknowledges. Once a change of mode has failed, the mode display is 0.
-///
-/// Source: p. 11, p. 12.
 pub const MACHINE: Machine = Machine {
     states: STATES,
     commands: commands::ALL,
@@ -2843,7 +2662,6 @@ impl ErrorCode {
 
     /// Error/Timeout During Homing Process. Error register 0x81. Vendor code 45. (p. 19)
     pub const ERROR_TIMEOUT_DURING_HOMING_PROCESS: Self = Self(0xFF06);
-
     /// Divide By Zero Instruction detected. Error register 0x81. (p. 19)
     pub const DIVIDE_BY_ZERO_INSTRUCTION_DETECTED: Self = Self(0xFF10);
 
@@ -2854,7 +2672,6 @@ impl ErrorCode {
 
     /// FIFO Buffer underrun (DSP). Error register 0x81. Vendor code 220. (p. 19)
     pub const FIFO_BUFFER_UNDERRUN_DSP: Self = Self(0xFFDC);
-
     /// FIFO Buffer overflow (DSP). Error register 0x81. Vendor code 221. (p. 19)
     pub const FIFO_BUFFER_OVERFLOW_DSP: Self = Self(0xFFDD);
 
@@ -3047,31 +2864,26 @@ impl core::fmt::Display for ErrorCode {
 pub mod units {
     use super::*;
 
-    /// Position in process data of X, Y, Z: a step is 1/100000 mm.
+    /// Position in process data of X, Y, Z: a step is 1/100000 mm (p. 6, p. 14).
     ///
     /// Named as scaled: target position, position actual value and, of velocities, profile velocity.
     ///
     /// The device holds the factor in 0x6093:00.
-    ///
-    /// Source: p. 6, p. 14.
     pub const POSITION_MM: Unit<C887, Length> = Unit::of::<10, 1>();
 
-    /// Position in process data of U, V, W: a step is 1/100000 deg.
+    /// Position in process data of U, V, W: a step is 1/100000 deg (p. 6, p. 14).
     ///
     /// Named as scaled: target position, position actual value and, of velocities, profile velocity.
     ///
     /// The device holds the factor in 0x6093:00.
-    ///
-    /// Source: p. 6, p. 14.
     pub const POSITION_DEG: Unit<C887, Angle> = Unit::of::<10_000, 1>();
 
-    /// Position in process data of an axis: a step is 1/100000 mm on X, Y, Z, 1/100000 deg on U, V, W.
+    /// Position in process data of an axis: a step is 1/100000 mm on X, Y, Z, 1/100000 deg on U, V, W (p.
+    /// 6, p. 14).
     ///
     /// Named as scaled: target position, position actual value and, of velocities, profile velocity.
     ///
     /// The device holds the factor in 0x6093:00.
-    ///
-    /// Source: p. 6, p. 14.
     pub const fn position(axis: Axis) -> AxisUnit<C887, Length, Angle> {
         match axis {
             Axis::X | Axis::Y | Axis::Z => Motion::Linear(POSITION_MM),
@@ -3079,31 +2891,26 @@ pub mod units {
         }
     }
 
-    /// Velocity in process data of X, Y, Z: a step is 1/100000 mm/s.
+    /// Velocity in process data of X, Y, Z: a step is 1/100000 mm/s (p. 14).
     ///
     /// The device holds the factor in 0x6093:00.
-    ///
-    /// Source: p. 14.
     ///
     /// Assumed, symbol: the manual says that velocities are scaled as positions are, but not per which
     /// time.
     pub const VELOCITY_MM_PER_S: Unit<C887, Velocity> = Unit::of::<10, 1>();
 
-    /// Velocity in process data of U, V, W: a step is 1/100000 deg/s.
+    /// Velocity in process data of U, V, W: a step is 1/100000 deg/s (p. 14).
     ///
     /// The device holds the factor in 0x6093:00.
-    ///
-    /// Source: p. 14.
     ///
     /// Assumed, symbol: the manual says that velocities are scaled as positions are, but not per which
     /// time.
     pub const VELOCITY_DEG_PER_S: Unit<C887, AngularVelocity> = Unit::of::<10_000, 1>();
 
-    /// Velocity in process data of an axis: a step is 1/100000 mm/s on X, Y, Z, 1/100000 deg/s on U, V, W.
+    /// Velocity in process data of an axis: a step is 1/100000 mm/s on X, Y, Z, 1/100000 deg/s on U, V, W
+    /// (p. 14).
     ///
     /// The device holds the factor in 0x6093:00.
-    ///
-    /// Source: p. 14.
     ///
     /// Assumed, symbol: the manual says that velocities are scaled as positions are, but not per which
     /// time.
@@ -3114,40 +2921,27 @@ pub mod units {
         }
     }
 
-    /// Position in SDOs: a step is 1 µm.
-    ///
-    /// Source: p. 14, p. 17.
+    /// Position in SDOs: a step is 1 µm (p. 14, p. 17).
     pub const SDO_LENGTH: Unit<C887, Length> = Unit::of::<1_000, 1>();
-
-    /// Angle in SDOs: a step is 1/1000 deg.
-    ///
-    /// Source: p. 14, p. 17.
+    /// Angle in SDOs: a step is 1/1000 deg (p. 14, p. 17).
     pub const SDO_ANGLE: Unit<C887, Angle> = Unit::of::<1_000_000, 1>();
 
-    /// Velocity in SDOs: a step is 1 µm/s.
-    ///
-    /// Source: p. 14, p. 17.
+    /// Velocity in SDOs: a step is 1 µm/s (p. 14, p. 17).
     ///
     /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_VELOCITY: Unit<C887, Velocity> = Unit::of::<1_000, 1>();
 
-    /// Angular velocity in SDOs: a step is 1/1000 deg/s.
-    ///
-    /// Source: p. 14, p. 17.
+    /// Angular velocity in SDOs: a step is 1/1000 deg/s (p. 14, p. 17).
     ///
     /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_ANGULAR_VELOCITY: Unit<C887, AngularVelocity> = Unit::of::<1_000_000, 1>();
 
-    /// Acceleration in SDOs: a step is 1 µm/s².
-    ///
-    /// Source: p. 14, p. 17.
+    /// Acceleration in SDOs: a step is 1 µm/s² (p. 14, p. 17).
     ///
     /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_ACCELERATION: Unit<C887, Acceleration> = Unit::of::<1_000, 1>();
 
-    /// Angular acceleration in SDOs: a step is 1/1000 deg/s².
-    ///
-    /// Source: p. 14, p. 17.
+    /// Angular acceleration in SDOs: a step is 1/1000 deg/s² (p. 14, p. 17).
     ///
     /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_ANGULAR_ACCELERATION: Unit<C887, AngularAcceleration> = Unit::of::<1_000_000, 1>();

@@ -1292,9 +1292,8 @@ pub mod objects {
     /// Taken outside the bus cycle.
     ///
     /// Corrected, name; the source says: name = Opemode request. A letter too many: the parameter is
-    /// OPMODE, and both fixed mappings have it so.
-    ///
-    /// Assumed, access: no column for it; the master writes a set value and can read it back.
+    /// OPMODE, and both fixed mappings have it so. Assumed, access: no column for it; the master writes a
+    /// set value and can read it back.
     pub const OPMODE_REQUEST: Entry<Family, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
     /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
