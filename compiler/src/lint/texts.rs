@@ -42,8 +42,7 @@ pub(super) struct Named<'d> {
 /// The names that people know parts of a device by.
 pub(super) fn named(device: &Device) -> Vec<Named<'_>> {
     let mut all = Vec::new();
-    let mut add =
-        |at: Place, name, origin| all.push(Named { at, name, origin, path: "name".to_owned() });
+    let mut add = |at: Place, name, origin| all.push(Named { at, name, origin, path: "name".to_owned() });
     for object in &device.objects {
         add(object.index.into(), object.name.as_str(), &object.origin);
         let entries = object.entries.iter().filter(|_| object.entries.len() > 1);

@@ -42,7 +42,8 @@ fn is_transposed(word: &str, other: &str) -> bool {
 
 /// A word in one of the spellings that English has for it.
 fn spelt(word: &str) -> String {
-    let one = [("our", "or"), ("tre", "ter"), ("lling", "ling"), ("lled", "led"), ("ae", "e"), ("ence", "ense")];
+    let one =
+        [("our", "or"), ("tre", "ter"), ("lling", "ling"), ("lled", "led"), ("ae", "e"), ("ence", "ense")];
     one.iter().fold(word.replace('z', "s"), |word, (british, american)| word.replace(british, american))
 }
 
@@ -158,19 +159,24 @@ mod tests {
 
     #[test]
     fn what_is_used_more_often_is_meant() {
-        let names = ["Position", "Position limit", "Postion reached", "Present position", "Preset value", "Preset"];
+        let names =
+            ["Position", "Position limit", "Postion reached", "Present position", "Preset value", "Preset"];
         let words = Vocabulary::of(names.into_iter());
         assert_eq!(words.meant("postion"), Some(("position", 3)));
         assert_eq!(words.meant("position"), None, "it is the usual one");
         assert_eq!(words.meant("present"), None, "both are words");
-        let words = Vocabulary::of(["Power stage", "State", "State of charge", "Shaft", "Shift", "Shift 2"].into_iter());
+        let words = Vocabulary::of(
+            ["Power stage", "State", "State of charge", "Shaft", "Shift", "Shift 2"].into_iter(),
+        );
         assert_eq!(words.meant("stage"), None);
         assert_eq!(words.meant("shaft"), None);
     }
 
     #[test]
     fn numbers_are_parted_from_words_as_elsewhere() {
-        let words = Vocabulary::of(["Manager 0", "Manager 1", "Manager3", "Output1", "Output2", "Output 3"].into_iter());
+        let words = Vocabulary::of(
+            ["Manager 0", "Manager 1", "Manager3", "Output1", "Output2", "Output 3"].into_iter(),
+        );
         assert_eq!(words.parted("manager3").as_deref(), Some("manager 0"));
         assert_eq!(words.parted("output1"), None, "most are written so");
         assert_eq!(words.parted("manager"), None);

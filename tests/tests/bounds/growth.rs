@@ -5,15 +5,14 @@
 
 use std::fs;
 use std::hint::black_box;
-use std::sync::{LazyLock, Mutex};
-use std::thread;
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use devc::diagnostic::render::{Style, text};
 use devc::emit;
-use devc_tests::hostile::{Files, Kind, all};
+use devc_tests::hostile::{Files, Kind};
 
-use crate::compile;
+use crate::{compile, found};
 
 /// How much longer four times as much may take: twice as long as if it were linear, half as long as if it were square.
 const GROWTH: u32 = 8;
@@ -67,26 +66,8 @@ fn judge(kind: &Kind, cost: fn(Files) -> (Duration, usize), many: usize) -> Opti
 }
 
 fn all_grow_slowly(cost: fn(Files) -> (Duration, usize), many: usize) {
-    let kinds = Mutex::new(all());
-    let next = || kinds.lock().expect("nobody panics here").next();
-    let slow = Mutex::new(Vec::new());
-    let work = || {
-        while let Some(kind) = next() {
-            // a disturbance does not come twice
-            if judge(kind, cost, many).is_some()
-                && let Some(why) = judge(kind, cost, many)
-            {
-                slow.lock().expect("nobody panics here").push(why);
-            }
-        }
-    };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| {
-        (0..threads).for_each(|_| {
-            scope.spawn(work);
-        });
-    });
-    let slow = slow.into_inner().expect("nobody panicked");
+    // a disturbance does not come twice
+    let slow = found(|kind| judge(kind, cost, many).and_then(|_| judge(kind, cost, many)));
     assert!(slow.is_empty(), "these grow too fast:\n{}", slow.join("\n"));
 }
 
@@ -107,10 +88,9 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 #[test]
 fn every_kind_is_answered() {
-    let slow = all().filter_map(|kind| {
+    let slow = found(|kind| {
         let (taken, _) = compiled((kind.files)(300));
         (taken > PATIENCE).then(|| format!("300 {}: {taken:?}", kind.name))
     });
-    let slow: Vec<String> = slow.collect();
     assert!(slow.is_empty(), "these take too long:\n{}", slow.join("\n"));
 }

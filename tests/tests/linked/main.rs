@@ -25,19 +25,23 @@ fn rustc(optimised: &str, out: &Path) -> Command {
     rustc
 }
 
-/// Compiles the runtime, then the firmware with it.
-fn link(optimised: &str, flags: &[&str], out: &Path) -> Output {
-    let mut runtime = rustc(optimised, out);
-    runtime
-        .args(["--crate-type=rlib", "--crate-name=devc_runtime"])
-        .arg(root().join("../runtime/src/lib.rs"));
-    let output = runtime.output().expect("there is a compiler");
+/// Compiles a library, over another one or over none.
+fn library(name: &str, folder: &str, over: Option<&str>, optimised: &str, out: &Path) {
+    let mut library = rustc(optimised, out);
+    library.arg(format!("--crate-name={name}")).args(["--crate-type=rlib", "-L"]).arg(out);
+    library.args(over.into_iter().flat_map(|other| ["--extern", other]));
+    let output = library.arg(root().join(folder).join("src/lib.rs")).output().expect("there is a compiler");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// Compiles the runtime and what it stands on, then the firmware with it.
+fn link(optimised: &str, flags: &[&str], out: &Path) -> Output {
+    library("devc_start_up", "../start-up", None, optimised, out);
+    library("devc_runtime", "../runtime", Some("devc_start_up"), optimised, out);
     let mut firmware = rustc(optimised, out);
     firmware.args(["--crate-name=firmware", "-Clink-arg=-nostartfiles"]);
     // for `memcpy` and its like, which the compiler calls for copies
-    firmware.arg("-Clink-arg=-lc").args(flags).arg("--extern");
-    firmware.arg(format!("devc_runtime={}", out.join("libdevc_runtime.rlib").display()));
+    firmware.arg("-Clink-arg=-lc").args(flags).arg("-L").arg(out).args(["--extern", "devc_runtime"]);
     firmware.arg(root().join("tests/linked/firmware/main.rs"));
     firmware.output().expect("there is a compiler")
 }

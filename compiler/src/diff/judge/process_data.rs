@@ -35,6 +35,7 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ),
         ["max_bytes"] => restricted(less(old.max_bytes, new.max_bytes)),
         ["max_entries"] => restricted(less(old.max_entries, new.max_entries)),
+        ["virtual"] | ["oversampling", ..] => content(versions, index(key)?, old),
         ["name"] => &kinds::RENAMED,
         ["index" | "leading" | "axis"] => return None,
         _ => &kinds::CHANGED_TEXT,
@@ -74,7 +75,13 @@ fn is_assigned(device: &Device, index: Index) -> bool {
 fn same_layout(versions: Versions<'_>, old: &Pdo, new: &Pdo, path: &[&str]) -> Option<Judged> {
     match path {
         [_, _, "name"] => Some((&kinds::RENAMED).into()),
-        [_, _, "names", ..] => Some((&kinds::CHANGED_TEXT).into()),
+        [_, _, "names" | "about", ..] => Some((&kinds::CHANGED_TEXT).into()),
+        [_, place, "own_type"] => {
+            // Where only the object has another type, its own change tells.
+            let place: usize = place.parse().ok()?;
+            let told = |pdo: &Pdo| Some(pdo.entries.get(place)?.told_type());
+            (told(old)? != told(new)?).then(|| (&kinds::RESPELT_TYPE).into())
+        }
         [_, place, "data_type"] => {
             let place: usize = place.parse().ok()?;
             let (old, new) = (old.entries.get(place)?, new.entries.get(place)?);

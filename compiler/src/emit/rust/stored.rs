@@ -119,7 +119,7 @@ pub(super) fn homes(stored: &[Stored<'_>]) -> BTreeMap<Index, Home> {
     let mut homes = BTreeMap::new();
     for stored in stored {
         let subindices: Vec<u8> = stored.entries.iter().map(|entry| entry.address.subindex).collect();
-        for (object, axis) in stored.placed.all.iter().zip(0..) {
+        for (object, axis) in stored.placed.all.iter().zip(0..=u8::MAX) {
             let axis = stored.is_of_axis().then_some(axis);
             homes.insert(object.index, Home { field: stored.number, axis, subindices: subindices.clone() });
         }

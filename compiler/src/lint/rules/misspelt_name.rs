@@ -35,9 +35,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let names = texts::named(device);
     let mapped = device.pdos.iter().flat_map(|pdo| &pdo.entries).map(|mapped| mapped.name.as_str());
     let vocabulary = Vocabulary::of(names.iter().map(|named| named.name).chain(mapped));
-    let is_written = |named: &&Named<'_>| {
-        named.origin.layer(&named.path).is_some_and(|layer| layer != Layer::Profile)
-    };
+    let is_written =
+        |named: &&Named<'_>| named.origin.layer(&named.path).is_some_and(|layer| layer != Layer::Profile);
     for named in names.iter().filter(is_written) {
         let found = against_profile(named, report).or_else(|| against_others(named, &vocabulary));
         if let Some(diagnostic) = found {
@@ -76,7 +75,10 @@ fn against_others(named: &Named<'_>, vocabulary: &Vocabulary) -> Option<Diagnost
             format!("{} is called `{}`, with `{word}`, where {others} `{meant}`", named.at, named.name)
         } else {
             let meant = vocabulary.parted(word)?;
-            format!("{} is called `{}`, with `{word}`, where other names have `{meant}`", named.at, named.name)
+            format!(
+                "{} is called `{}`, with `{word}`, where other names have `{meant}`",
+                named.at, named.name
+            )
         };
         Some(told(named, message))
     })

@@ -514,7 +514,7 @@ fn a_string_can_stand_for_a_table() {
     );
     assert_eq!(pdo.bits.as_ref().map(|bits| bits[0].name.as_str()), Some("ready"));
     assert_snapshot!(read::<Pdo>("entries = [0x6040]").1, @r#"
-    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name` and `names`, found an integer
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name`, `names` and `about`, found an integer
      --> device.toml:1:12
       |
     1 | entries = [0x6040]
@@ -527,14 +527,14 @@ fn a_string_can_stand_for_a_table() {
       |
     "#);
     assert_snapshot!(read::<Pdo>("entries = [1]").1, @r"
-    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name` and `names`, found an integer
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name`, `names` and `about`, found an integer
      --> device.toml:1:12
       |
     1 | entries = [1]
       |            ^ in `entries`
     ");
     assert_snapshot!(read::<Pdo>("entries = [[\"a\", 1, \"b\"]]").1, @r#"
-    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name` and `names`, found an array
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name`, `names` and `about`, found an array
      --> device.toml:1:12
       |
     1 | entries = [["a", 1, "b"]]

@@ -27,8 +27,12 @@ pub(in super::super) fn svg(machine: &Machine, title: &str) -> String {
     }
     parts.extend(machine.states.iter().enumerate().map(|(row, one)| state(row, one)));
     let height = machine.states.len() * STEP + 10;
+    // what many lanes take beyond the usual width, on either side
+    let lanes = sides.iter().map(|side| side.lanes.len()).max().unwrap_or_default();
+    let more = (offset(lanes) + LANE).saturating_sub(left());
+    let (edge, width) = (if more > 0 { format!("-{more}") } else { "0".to_owned() }, WIDTH + 2 * more);
     format!(
-        "<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"group\" class=\"machine\"><title>{}</title>\n\
+        "<svg viewBox=\"{edge} 0 {width} {height}\" role=\"group\" class=\"machine\"><title>{}</title>\n\
          <defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">\
          <path d=\"M0 0 8 4 0 8z\"/></marker></defs>\n{}\n</svg>\n",
         HtmlEscape(title),
@@ -68,6 +72,11 @@ impl Side {
     }
 }
 
+/// How far from the boxes a lane is.
+fn offset(lane: usize) -> usize {
+    56 + lane * LANE
+}
+
 fn left() -> usize {
     (WIDTH - BOX.0) / 2
 }
@@ -92,17 +101,14 @@ fn state(row: usize, state: &Node) -> String {
 }
 
 fn arrow(side: &mut Side, start: usize, end: usize, labels: &[Label]) -> String {
-    let offset = 56 + side.lane(start.min(end), start.max(end)) * LANE;
+    let offset = offset(side.lane(start.min(end), start.max(end)));
     let (y1, y2) = (side.meet(start), side.meet(end));
-    let (edge, bend, text) = if start < end {
-        (left() + BOX.0, left() + BOX.0 + offset, left() + BOX.0 + 28)
-    } else {
-        (left(), left() - offset, left() - 28)
-    };
+    let (edge, sign, text) =
+        if start < end { (left() + BOX.0, "", left() + BOX.0 + 28) } else { (left(), "-", left() - 28) };
     let numbers = labels.iter().map(number).collect::<Vec<_>>().join(" ");
     let titles = labels.iter().map(title).collect::<Vec<_>>().join("\n");
     format!(
-        "<g class=\"arrow\"><title>{}</title><path d=\"M{edge} {y1}H{bend}V{y2}H{edge}\" marker-end=\"url(#tip)\"/>\
+        "<g class=\"arrow\"><title>{}</title><path d=\"M{edge} {y1}h{sign}{offset}V{y2}H{edge}\" marker-end=\"url(#tip)\"/>\
          <text x=\"{text}\" y=\"{}\">{numbers}</text></g>",
         HtmlEscape(&titles),
         y1 + 4,

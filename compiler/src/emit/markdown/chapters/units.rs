@@ -31,7 +31,7 @@ pub(super) fn page(context: &Context<'_>, all: &[Unit]) -> Page {
 /// The axes that share a unit; no axes if all do.
 fn groups(unit: &Unit) -> Vec<(Vec<u8>, &AxisUnit)> {
     let mut groups: Vec<(Vec<u8>, &AxisUnit)> = Vec::new();
-    for (axis, on_axis) in (0_u8..).zip(&unit.axes) {
+    for (axis, on_axis) in (0..=u8::MAX).zip(&unit.axes) {
         match groups.iter_mut().find(|(_, same)| *same == on_axis) {
             Some((axes, _)) => axes.push(axis),
             None => groups.push((vec![axis], on_axis)),

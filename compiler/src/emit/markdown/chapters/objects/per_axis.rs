@@ -26,7 +26,7 @@ pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String
         return Vec::new();
     }
     let mut groups: Vec<(Vec<u8>, String)> = Vec::new();
-    for (axis, object) in (0_u8..).zip(context.on_axes(leading)) {
+    for (axis, object) in (0..=u8::MAX).zip(context.on_axes(leading)) {
         let text =
             object.map_or_else(|| "not there".into(), |object| compare(context, leading, object).join(", "));
         match groups.iter_mut().find(|(_, same)| *same == text) {
