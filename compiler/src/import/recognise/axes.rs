@@ -123,6 +123,12 @@ impl Axes {
         ranges
     }
 
+    /// Whether what has this index on the first axis has another on the others. It need not be in the dictionary: a PDO
+    /// can map what is not.
+    fn shifts(&self, index: u16) -> bool {
+        self.ranges.iter().any(|(first, last)| (*first..=*last).contains(&index))
+    }
+
     /// Whether an object is described with that of the first axis.
     pub(super) fn repeats(&self, index: u16) -> bool {
         let axis = index.checked_sub(*FIRST.start()).map_or(0, |it| it / OBJECTS);
@@ -202,7 +208,7 @@ impl Axes {
 
     fn same(&self, first: &Pdo, other: &Pdo, axis: u16, step: u16) -> bool {
         let shifted = |it: &PdoEntry| {
-            let by = if self.shared.contains_key(&it.index) { axis * OBJECTS } else { 0 };
+            let by = if self.shifts(it.index) { axis * OBJECTS } else { 0 };
             (it.index.wrapping_add(by), it.subindex, it.bits)
         };
         let excludes =
