@@ -54,6 +54,10 @@ pub(super) struct Build {
     #[arg(long)]
     no_dictionary: bool,
 
+    /// Make a file of each chapter of the reference in Markdown, in `<name>.md.d`.
+    #[arg(long)]
+    chapters: bool,
+
     /// Write nothing; say which outputs are not up to date.
     #[arg(long)]
     check: bool,
@@ -117,11 +121,12 @@ impl Build {
         };
         let editorial = !self.no_editorial && project.outputs.editorial.unwrap_or(true);
         let dictionary = !self.no_dictionary && project.outputs.dictionary.unwrap_or(true);
+        let chapters = self.chapters || project.outputs.chapters.unwrap_or(false);
         let outputs = emit::lints(emitters.iter().copied());
         Ok(Order {
             request: Request { levels: self.levels.levels()?, outputs },
             emitters,
-            options: Options { editorial, dictionary },
+            options: Options { editorial, dictionary, chapters },
             folders: Folders::new(self.out.as_deref(), project),
         })
     }

@@ -33,6 +33,8 @@ pub struct Outputs {
     pub editorial: Option<bool>,
     /// Whether Rust has the dictionary for a firmware; `--no-dictionary` says that it does not.
     pub dictionary: Option<bool>,
+    /// Whether each chapter of the reference in Markdown is a file, as `--chapters` has it.
+    pub chapters: Option<bool>,
 }
 
 /// What the file says.

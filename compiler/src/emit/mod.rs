@@ -81,11 +81,13 @@ pub struct Options {
     pub editorial: bool,
     /// Whether Rust has the dictionary for a firmware. Masters do without.
     pub dictionary: bool,
+    /// Whether each chapter of the reference in Markdown is a file.
+    pub chapters: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { editorial: true, dictionary: true }
+        Self { editorial: true, dictionary: true, chapters: false }
     }
 }
 

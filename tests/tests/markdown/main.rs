@@ -2,7 +2,7 @@
 
 #![cfg(test)]
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -24,12 +24,18 @@ product-code = 1
 revision = 1
 ";
 
-/// Every shipped family with its reference.
-fn references() -> Vec<(Family, String)> {
+/// The folders of the descriptions that are shipped.
+fn folders() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices");
     let mut folders: Vec<PathBuf> =
         fs::read_dir(root).unwrap().map(|folder| folder.unwrap().path()).collect();
     folders.sort();
+    folders
+}
+
+/// Every shipped family with its reference.
+fn references() -> Vec<(Family, String)> {
+    let folders = folders();
     let compiled = folders.iter().map(|folder| {
         let family = devc::compile(&Disk, folder).family.unwrap_or_else(|| panic!("{}", folder.display()));
         let text = reference(&family);
@@ -64,6 +70,67 @@ fn every_link_leads_somewhere_and_every_anchor_is_unique() {
         }
         for link in between(&text, "](#", ')') {
             assert!(anchors.contains(link), "{}: nothing at #{link}", family.id);
+        }
+    }
+}
+
+/// The files of a reference whose chapters are files.
+fn chapters(family: &Checked<Family>) -> BTreeMap<String, String> {
+    let options = devc::emit::Options { chapters: true, ..Default::default() };
+    let files = Markdown.emit(family, &options).0.into_iter();
+    files.map(|(name, content)| (name, String::from_utf8(content).unwrap())).collect()
+}
+
+#[test]
+fn links_of_chapters_lead_to_the_file_that_has_the_place() {
+    for folder in folders() {
+        let family = devc::compile(&Disk, &folder).family.unwrap();
+        let files = chapters(&family);
+        assert!(files.len() > 10, "{}", family.id);
+        for (name, text) in &files {
+            let end = name.strip_prefix(&family.id).unwrap();
+            assert!(Markdown.ends().contains(&end), "{name} is no name of this output");
+            let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+            let local = between(text, "](", ')').filter(|link| link.contains(".md") || link.starts_with('#'));
+            for link in local.filter(|link| !link.contains("://")) {
+                let (file, place) = link.split_once('#').unwrap_or((link, ""));
+                let file = match file.strip_prefix("../") {
+                    Some(above) => above.to_owned(),
+                    None if file.is_empty() => name.clone(),
+                    None if folder.is_empty() => file.to_owned(),
+                    None => format!("{folder}/{file}"),
+                };
+                let there = files.get(&file).unwrap_or_else(|| panic!("{name}: no file at {link}"));
+                let anchor = format!("<a id=\"{place}\">");
+                assert!(place.is_empty() || there.contains(&anchor), "{name}: nothing at {link}");
+            }
+        }
+        let index = &files[&format!("{}.md", family.id)];
+        for name in files.keys().filter(|name| name.contains('/')) {
+            assert!(index.contains(&format!("]({name}#")), "{name} is not in the contents");
+        }
+    }
+}
+
+#[test]
+fn chapters_say_what_the_one_file_says() {
+    for folder in folders() {
+        let family = devc::compile(&Disk, &folder).family.unwrap();
+        let files = chapters(&family);
+        // Where a link leads is the one thing that differs.
+        let bare = |line: &str| {
+            let mut pieces = line.split("](");
+            let first = pieces.next().unwrap().to_owned();
+            let rest = pieces.map(|piece| piece.split_once('#').map_or(piece, |(_, place)| place));
+            rest.fold(first, |line, piece| line + "](" + piece)
+        };
+        let mut said: BTreeMap<String, usize> = BTreeMap::new();
+        for line in files.values().flat_map(|text| text.lines()) {
+            *said.entry(bare(line)).or_default() += 1;
+        }
+        for line in reference(&family).lines().filter(|line| !line.is_empty()) {
+            let left = said.get_mut(&bare(line)).filter(|left| **left > 0);
+            *left.unwrap_or_else(|| panic!("{}: {line} is missing", family.id)) -= 1;
         }
     }
 }

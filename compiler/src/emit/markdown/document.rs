@@ -12,12 +12,23 @@ use crate::text::characters::line;
 
 /// The whole document: a reference, or the references of a family as one.
 pub(super) fn document(family: &Family, editorial: bool) -> String {
-    let id = comment(&line(&family.id));
     let mut page = Page::default();
-    page.lines(format!("<!-- Made by devc from the description of {id}; not to be edited. -->"));
-    page.append(front(family));
-    page.append(body(family, editorial, Form::Text));
+    page.lines(made(family));
+    page.append(whole(family, editorial));
     page.to_string()
+}
+
+/// The words by which devc knows a file as its own.
+pub(super) fn made(family: &Family) -> String {
+    let id = comment(&line(&family.id));
+    format!("<!-- Made by devc from the description of {id}; not to be edited. -->")
+}
+
+/// All that the document says.
+pub(super) fn whole(family: &Family, editorial: bool) -> Page {
+    let mut page = front(family);
+    page.append(body(family, editorial, Form::Text));
+    page
 }
 
 /// What stands before the chapters.

@@ -5,6 +5,7 @@
 
 mod chapters;
 mod context;
+mod divided;
 mod document;
 mod family;
 mod holds;
@@ -40,6 +41,30 @@ use crate::text::characters::harmless;
 #[derive(Debug)]
 pub struct Markdown;
 
+/// The document, and the chapters where each is a file.
+const ENDS: &[&str] = &[
+    ".md",
+    ".md.d/device.md",
+    ".md.d/axes.md",
+    ".md.d/connections.md",
+    ".md.d/communication.md",
+    ".md.d/synchronisation.md",
+    ".md.d/process-data.md",
+    ".md.d/configurations.md",
+    ".md.d/words.md",
+    ".md.d/states.md",
+    ".md.d/modes.md",
+    ".md.d/homing.md",
+    ".md.d/stopping.md",
+    ".md.d/errors.md",
+    ".md.d/units.md",
+    ".md.d/coordinates.md",
+    ".md.d/objects.md",
+    ".md.d/registers.md",
+    ".md.d/service.md",
+    ".md.d/sources.md",
+];
+
 /// What it cannot hold.
 const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
@@ -53,7 +78,7 @@ impl Emitter for Markdown {
     }
 
     fn ends(&self) -> &'static [&'static str] {
-        &[".md"]
+        ENDS
     }
 
     fn lints(&self) -> &'static [&'static Rule] {
@@ -65,6 +90,9 @@ impl Emitter for Markdown {
     }
 
     fn emit(&self, family: &Checked<Family>, options: &Options) -> Files {
+        if options.chapters {
+            return divided::files(family, options.editorial);
+        }
         Files::one(
             format!("{}.md", family.id),
             harmless(&document::document(family, options.editorial)).into_owned(),
