@@ -59,7 +59,8 @@ fn judge(kind: &Kind, cost: fn(Files) -> Cost, many: usize) -> Option<String> {
     let [nothing, some, more] = [1, many, 4 * many].map(|many| cost((kind.files)(many)));
     let allocations = |cost: Cost| cost.allocations.saturating_sub(nothing.allocations);
     let (before, after) = (allocations(some).max(NOTHING), allocations(more));
-    let larger = u64::try_from(more.size / some.size.max(1)).unwrap_or(u64::MAX).max(4);
+    let size = |cost: Cost| cost.size.saturating_sub(nothing.size);
+    let larger = u64::try_from(size(more) / size(some).max(1)).unwrap_or(u64::MAX).max(4);
     (after > GROWTH * larger * before)
         .then(|| format!("{}: {before} allocations for {many}, {after} for four times as many", kind.name))
 }
