@@ -8,6 +8,10 @@ use std::fmt::Write;
 use super::literal::prose;
 use crate::model::{Assumption, Device, Family, Section};
 
+/// What of a PDO is in the file.
+const OF_PDO: &[&str] =
+    &["name", "names", "entries", "fixed", "mandatory", "excludes", "sync-unit", "virtual", "oversampling"];
+
 /// What of a description is in the file: sections, and the keys of them if not all are. Objects and PDOs are there whole,
 /// but for what only a reference says.
 const IN_FILE: &[(Section, &[&str])] = &[
@@ -73,34 +77,8 @@ const IN_FILE: &[(Section, &[&str])] = &[
     ),
     (Section::SyncModes, &["name", "assign-activate", "sync0", "sync1", "managers", "default"]),
     (Section::Diagnosis, &["text", "texts", "class", "about", "remedy"]),
-    (
-        Section::RxPdos,
-        &[
-            "name",
-            "names",
-            "entries",
-            "fixed",
-            "mandatory",
-            "excludes",
-            "sync-unit",
-            "virtual",
-            "oversampling",
-        ],
-    ),
-    (
-        Section::TxPdos,
-        &[
-            "name",
-            "names",
-            "entries",
-            "fixed",
-            "mandatory",
-            "excludes",
-            "sync-unit",
-            "virtual",
-            "oversampling",
-        ],
-    ),
+    (Section::RxPdos, OF_PDO),
+    (Section::TxPdos, OF_PDO),
     (
         Section::Objects,
         &[

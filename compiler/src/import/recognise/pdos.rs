@@ -152,10 +152,13 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
         return Toml::Table(std::iter::once(bits()).chain(name).chain(names).chain(about).collect());
     }
     let address = format!("0x{:04X}:{:02X}", entry.index, entry.subindex);
-    let Some(target) = references.get(entry.index, entry.subindex) else {
-        let width = own_type(entry, report).map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
+    let target = references.get(entry.index, entry.subindex);
+    let Some(target) = target.filter(|target| !target.is_repeated) else {
+        let known = target.map(|target| target.data_type).filter(|it| it.bits() == u32::from(entry.bits));
+        let own_type = known.map(|it| it.to_string()).or_else(|| own_type(entry, report));
+        let width = own_type.map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
         let keys = [("entry".to_owned(), Toml::text(address)), width];
-        let name = entry.name.as_ref().map(named);
+        let name = entry.name.as_ref().or(target.and_then(|target| target.name.as_ref())).map(named);
         return Toml::Table(keys.into_iter().chain(name).chain(names).chain(about).collect());
     };
     let told = entry.data_type.as_deref().map(|name| data_type(name, Some(entry.bits.into())));

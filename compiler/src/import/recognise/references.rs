@@ -21,11 +21,12 @@ pub(super) struct Target {
     /// And in other languages.
     pub(super) names: Option<Toml>,
     pub(super) data_type: DataType,
+    /// Whether it is described with that of the first axis, so that there is nothing of it to refer to.
+    pub(super) is_repeated: bool,
 }
 
 impl References {
-    /// An object is named by its id where no other has it; all else by index, and so what is described with that of the first
-    /// axis.
+    /// An object is named by its id where no other has it; all else by index.
     pub(super) fn of(objects: &[Described], known: &Known, axes: &Axes) -> Self {
         let id = |object: &Described| {
             let base = known.object(object.index);
@@ -37,8 +38,8 @@ impl References {
         }
         let mut targets = BTreeMap::new();
         for object in objects {
-            let is_own =
-                |id: &String| times.get(id) == Some(&1) && is_word(id) && !axes.repeats(object.index);
+            let is_repeated = axes.repeats(object.index);
+            let is_own = |id: &String| times.get(id) == Some(&1) && is_word(id) && !is_repeated;
             let id = id(object).filter(is_own);
             let word = id.unwrap_or_else(|| format!("0x{:04X}", object.index));
             let base = known.object(object.index);
@@ -48,7 +49,7 @@ impl References {
                 let given = if single { &object.name } else { &value.name };
                 let name = given.clone().or_else(|| base.filter(|_| single).and_then(Base::name));
                 let names = if single { object.names.clone() } else { get(&value.keys, "names").cloned() };
-                let target = Target { text, name, names, data_type: value.data_type };
+                let target = Target { text, name, names, data_type: value.data_type, is_repeated };
                 targets.insert((object.index, value.subindex), target);
             }
         }
