@@ -120,6 +120,17 @@ impl Mapped {
     pub fn told_type(&self) -> Option<DataType> {
         self.own_type.or(self.data_type)
     }
+
+    /// The entry as a mapping object has it.
+    pub(crate) fn mapping(&self) -> Mapping {
+        let [bits, ..] = self.bits.to_le_bytes();
+        match self.address {
+            Some(Address { index, subindex }) => {
+                Mapping { address: devc_start_up::Address::new(index.0, subindex), bits }
+            }
+            None => Mapping::gap(bits),
+        }
+    }
 }
 
 impl Pdo {
@@ -131,18 +142,5 @@ impl Pdo {
     /// The width in whole bytes.
     pub fn bytes(&self) -> u32 {
         self.bits().div_ceil(8)
-    }
-}
-
-impl Mapped {
-    /// The entry as a mapping object has it.
-    pub(crate) fn mapping(&self) -> Mapping {
-        let [bits, ..] = self.bits.to_le_bytes();
-        match self.address {
-            Some(Address { index, subindex }) => {
-                Mapping { address: devc_start_up::Address::new(index.0, subindex), bits }
-            }
-            None => Mapping::gap(bits),
-        }
     }
 }

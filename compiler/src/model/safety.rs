@@ -50,3 +50,24 @@ impl Safety {
         }
     }
 }
+
+impl SdoAccess {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Complete, Self::Single];
+
+    /// Its name in an ESI file, ETG.2000.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Complete => "CompleteAccess",
+            Self::Single => "SubIndexAccess",
+        }
+    }
+
+    /// The word for it in a description.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Complete => "complete",
+            Self::Single => "single",
+        }
+    }
+}

@@ -55,16 +55,9 @@ fn flags(access: Element, category: Category, pdo: Mappable, special: Special) -
         .child(Element::leaf("Category", category))
         .child(mapping.map(|directions| Element::leaf("PdoMapping", directions)))
         .child(special.safety.map(|safety| Element::leaf("SafetyMapping", safety.name())))
-        .child(special.sdo_access.map(|access| Element::leaf("SdoAccess", sdo_access(access))))
+        .child(special.sdo_access.map(|access| Element::leaf("SdoAccess", access.name())))
         .child(special.backup.then(|| Element::leaf("Backup", 1)))
         .child(special.setting.then(|| Element::leaf("Setting", 1)))
-}
-
-fn sdo_access(access: SdoAccess) -> &'static str {
-    match access {
-        SdoAccess::Complete => "CompleteAccess",
-        SdoAccess::Single => "SubIndexAccess",
-    }
 }
 
 fn access(entry: &Entry) -> Element {

@@ -260,9 +260,5 @@ fn safety(text: &str) -> Option<Safety> {
 }
 
 fn sdo_access(text: &str) -> Option<SdoAccess> {
-    match text {
-        "CompleteAccess" => Some(SdoAccess::Complete),
-        "SubIndexAccess" => Some(SdoAccess::Single),
-        _ => None,
-    }
+    SdoAccess::ALL.into_iter().find(|it| it.name() == text)
 }

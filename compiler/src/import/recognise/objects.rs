@@ -33,10 +33,7 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
         keys.insert(place, ("about".to_owned(), Toml::text(about)));
     }
-    let access = object.sdo_access.map(|access| match access {
-        SdoAccess::Complete => "complete",
-        SdoAccess::Single => "single",
-    });
+    let access = object.sdo_access.map(SdoAccess::word);
     for (name, value) in [("sdo-access", access.map(Toml::text)), ("properties", object.properties.clone())] {
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
         keys.splice(place..place, value.map(|value| (name.to_owned(), value)));

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Direction};
+use crate::model::{Device, Direction, Index};
 
 rule! {
     /// ETG.1000.6 has 0x1600 to 0x17FF for what a device receives, and 0x1A00 to 0x1BFF for what it sends. Tools that tell
@@ -35,12 +35,13 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for pdo in device.pdos.iter().filter(|pdo| !pdo.direction.indices().contains(&pdo.index.0)) {
-        let (what, range) = match pdo.direction {
-            Direction::Rx => ("receive", "0x1600 to 0x17FF"),
-            Direction::Tx => ("transmit", "0x1A00 to 0x1BFF"),
+        let what = match pdo.direction {
+            Direction::Rx => "receive",
+            Direction::Tx => "transmit",
         };
+        let indices = pdo.direction.indices();
         let message = format!("{} is no index of a {what} PDO", pdo.index);
-        let label = format!("these have {range}");
+        let label = format!("these have {} to {}", Index(*indices.start()), Index(*indices.end()));
         report.push(pdo.index, Diagnostic::new(&RULE, message, pdo.origin.header(), label));
     }
 }
