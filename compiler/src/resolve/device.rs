@@ -84,6 +84,7 @@ fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context
         axes: axes::axes(raw.axes.as_ref()),
         shifts: Vec::new(),
         pdo_shift: raw.axes.as_ref().and_then(|axes| axes.pdo_shift).unwrap_or(0x10),
+        pdos_of_axes: pdos::of_axes(&raw.rx_pdos).chain(pdos::of_axes(&raw.tx_pdos)).collect(),
         enumerations: std::mem::take(&mut raw.enumerations),
     };
     let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));
