@@ -32,10 +32,13 @@ pub(super) fn descriptions(given: &[PathBuf], report: &Report) -> Result<Vec<Pat
     files(&given.iter().map(whole).collect::<Vec<_>>())
 }
 
-/// The given paths, each once; without any, every folder under `devices` that holds a description.
+/// The given paths, each once; without any, the description in this folder, or every folder under `devices` that holds one.
 pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     if given.is_empty() {
-        return shipped(&root().unwrap_or_default().join(DEVICES));
+        return match Path::new(MAIN_FILE).exists() {
+            true => Ok(vec![PathBuf::from(".")]),
+            false => shipped(&root().unwrap_or_default().join(DEVICES)),
+        };
     }
     let mut seen = Vec::new();
     let mut paths = Vec::new();
@@ -51,7 +54,7 @@ pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 
 /// Every folder in `folder` that holds a description, by name.
 fn shipped(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let help = "name the folder of a description, or run devc where the folder `devices` lies";
+    let help = "name the folder of a description, or run devc in it or where the folder `devices` lies; `devc new NAME` begins one";
     let entries =
         fs::read_dir(folder).map_err(|error| Failure::at("look into", folder, &error).help(help))?;
     let mut paths = Vec::new();

@@ -36,6 +36,13 @@ fn without_devices_a_path_is_needed() {
 }
 
 #[test]
+fn without_a_path_the_description_in_this_folder_is_taken() {
+    let desk = Desk::new(&[("drive", SOUND), ("other", SOUND)]);
+    desk.devc_in("devices/drive", &["check"]).ends(0, &[".: no findings"]);
+    desk.devc_in("devices/drive", &["build"]).ends(0, &["to generated/drive"]);
+}
+
+#[test]
 fn colours_only_where_they_are_seen() {
     let desk = Desk::new(&[("drive", &SOUND.replace("name   = \"Speed\"", "nmae = \"Speed\""))]);
     assert!(!desk.devc(&["check"]).err.contains('\u{1b}'), "a pipe is no terminal");
