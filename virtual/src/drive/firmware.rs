@@ -3,24 +3,23 @@
 use std::time::Duration;
 
 use devc_runtime::coe::MailboxError;
-use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Change, Configured, Lengths};
-use devc_runtime::pdo::{Rx, Tx};
+use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Change, Configured};
 
-use super::Drive;
 use super::application::Application;
 use super::effects::Effect;
 use super::stored::Order;
+use super::{Drive, MANAGERS};
 use crate::{Clocks, Event, Firmware};
 
 impl Firmware for Drive {
-    fn request(&mut self, control: AlControl, managers: &[Configured; 4]) {
+    fn request(&mut self, control: AlControl, managers: &[Configured]) {
         let lengths = self.lengths();
         let mut application = Application {
             has_outputs: self.outputs.is_some(),
             clocks: self.facts.clocks.judge(self.clocks),
             are_signals_missed: self.clocks.are_missed,
         };
-        let change = self.states.request(control, managers, lengths, &mut application);
+        let change = self.states.request(control, managers, &lengths, &mut application);
         self.changed(change);
     }
 
@@ -28,12 +27,8 @@ impl Firmware for Drive {
         self.clocks = clocks;
     }
 
-    fn expected(&mut self) -> (Areas, Lengths) {
-        (self.facts.areas, self.lengths())
-    }
-
-    fn numbers(&self) -> [usize; 4] {
-        self.facts.numbers
+    fn expected(&mut self) -> (Areas, Vec<usize>) {
+        (self.facts.areas, self.lengths().to_vec())
     }
 
     fn status(&self) -> (AlStatus, AlStatusCode) {
@@ -89,9 +84,8 @@ impl Firmware for Drive {
 }
 
 impl Drive {
-    fn lengths(&mut self) -> Lengths {
-        let server = &mut self.mailbox.server;
-        Lengths { outputs: server.image_len::<Rx>(), inputs: server.image_len::<Tx>() }
+    fn lengths(&mut self) -> [usize; MANAGERS] {
+        self.mailbox.server.carried()
     }
 
     /// What a change of the EtherCAT state brings with it.

@@ -28,8 +28,6 @@ pub(super) struct Facts {
     pub(super) tables: &'static Tables,
     pub(super) machine: &'static Machine,
     pub(super) areas: Areas,
-    /// The sync managers that have them.
-    pub(super) numbers: [usize; 4],
     pub(super) axes: Vec<AxisModel>,
     /// Whether the axes have one state, and the first commands all.
     pub(super) is_coupled: bool,
@@ -53,7 +51,6 @@ impl Model {
             tables,
             machine,
             areas: areas::areas(device),
-            numbers: areas::numbers(device),
             axes: axes.collect(),
             is_coupled: machine.transitions.iter().any(|one| one.coupling != Coupling::Independent),
             error_register: Number::find(&tables.dictionary, ERROR_REGISTER),

@@ -14,8 +14,8 @@ fn every_configuration_leads_to_operational() {
             let mut bench = Bench::new(device, Some(chosen));
             bench.start(Some(chosen));
             let (_, lengths) = bench.drive.expected();
-            let carried = (bench.outputs.bytes(), bench.inputs.bytes());
-            assert_eq!((lengths.outputs, lengths.inputs), carried, "{}, {}", device.name, chosen.name);
+            let carried = [0, 0, bench.outputs.bytes(), bench.inputs.bytes()];
+            assert_eq!(lengths[..4], carried, "{}, {}", device.name, chosen.name);
         }
     }
 }

@@ -13,6 +13,7 @@ mod managers;
 mod mapping;
 mod master;
 mod served;
+mod several;
 mod states;
 mod trace;
 mod wired;
