@@ -2,13 +2,14 @@
 
 use std::time::Duration;
 
-use devc_runtime::coe::MailboxError;
+use devc::model;
+use devc_runtime::coe::{MailboxError, Protocol};
 use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Change, Configured};
 
 use super::application::Application;
 use super::effects::Effect;
 use super::stored::Order;
-use super::{Drive, MANAGERS};
+use super::{Drive, MANAGERS, files};
 use crate::{Clocks, Event, Firmware};
 
 impl Firmware for Drive {
@@ -36,11 +37,13 @@ impl Firmware for Drive {
     }
 
     fn mail(&mut self, message: &[u8], answer: &mut [u8]) -> usize {
+        let protocol = message.get(5).map_or(Protocol::COE, |last| Protocol(last & 0x0F));
         match (self.states.communication(), self.states.state()) {
-            (Some(state), _) => self.mailbox.answer(message, state, answer),
-            // there is no new firmware to be taken for a drive that is none
-            (None, AlState::Bootstrap) => MailboxError::UNSUPPORTED_PROTOCOL.encode(0, answer).unwrap_or(0),
-            (None, _) => 0,
+            (Some(state), _) if protocol == Protocol::COE && self.facts.speaks(model::Protocol::Coe) => {
+                self.mailbox.answer(message, state, answer)
+            }
+            (None, state) if state != AlState::Bootstrap => 0,
+            _ => self.refuse(protocol, message, answer),
         }
     }
 
@@ -84,6 +87,23 @@ impl Firmware for Drive {
 }
 
 impl Drive {
+    /// Answers a message of a protocol that the drive does not serve; tells the length of the answer.
+    fn refuse(&mut self, protocol: Protocol, message: &[u8], answer: &mut [u8]) -> usize {
+        let Some(counter) = self.mailbox.accept(message) else { return 0 };
+        let error = if protocol == Protocol::FOE && self.facts.speaks(model::Protocol::Foe) {
+            let content = message.split_first_chunk().and_then(|([low, high], rest)| {
+                rest.get(4..)?.get(..u16::from_le_bytes([*low, *high]).into())
+            });
+            match files::refuse(content.unwrap_or_default(), counter, answer) {
+                Some(length) => return length,
+                None => MailboxError::TOO_SHORT,
+            }
+        } else {
+            MailboxError::UNSUPPORTED_PROTOCOL
+        };
+        error.encode(counter, answer).unwrap_or(0)
+    }
+
     fn lengths(&mut self) -> [usize; MANAGERS] {
         self.mailbox.server.carried()
     }

@@ -30,6 +30,7 @@ mod control;
 mod dictionary;
 mod effects;
 mod errors;
+mod files;
 mod firmware;
 mod forever;
 mod machine;

@@ -6,6 +6,7 @@ mod carried;
 mod clocks;
 mod devices;
 mod eeprom;
+mod files;
 mod frames;
 mod image;
 mod in_ethercrab;
