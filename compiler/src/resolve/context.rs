@@ -58,22 +58,27 @@ impl Context<'_> {
 
     /// Reports a reference to no object and no entry.
     fn unknown(&mut self, text: &str, unknown: &Unknown, at: Location) {
+        if let Unknown::Several(entries) = unknown {
+            let message = format!("`{text}` stands for several entries");
+            let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "which of them is not said");
+            let known: Vec<String> = entries.iter().map(Address::to_string).collect();
+            let known: Vec<&str> = known.iter().map(String::as_str).collect();
+            let fault = fault.note(format!("it is {}", list(&known)));
+            self.diagnostics.push(fault.help("write the address of the one that is meant"));
+            return;
+        }
         let object = text.split(':').next().unwrap_or(text);
         let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
         let near = has_room.then(|| self.names.near(object)).flatten();
         let message = format!("there is no object `{text}`");
         let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
         let index = names::index(object).or_else(|| self.names.offered(object));
-        self.diagnostics.push(match (unknown, near, index) {
-            (Unknown::Several(entries), ..) => {
-                let entries: Vec<String> = entries.iter().map(Address::to_string).collect();
-                fault.note(format!("it is an entry of several objects: {}", entries.join(", ")))
-            }
-            (Unknown::Nothing, Some((name, is_plain)), None) => there_is(fault, &name, is_plain, at),
-            (Unknown::Nothing, _, Some(index)) => fault
+        self.diagnostics.push(match (near, index) {
+            (Some((name, is_plain)), None) => there_is(fault, &name, is_plain, at),
+            (_, Some(index)) => fault
                 .note("an object of a profile is there once it is mentioned")
                 .help(format!("add `[objects.{index}]` with what the profile does not say")),
-            (Unknown::Nothing, None, None) => match self.names.near_offered(object).filter(|_| has_room) {
+            (None, None) => match self.names.near_offered(object).filter(|_| has_room) {
                 Some((name, index)) => fault
                     .note(format!(
                         "a profile has `{name}`; an object of a profile is there once it is mentioned"

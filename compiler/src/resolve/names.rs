@@ -16,7 +16,8 @@ pub(super) struct Names {
     by_id: BTreeMap<String, Index>,
     /// Entries of objects that have several, by their own ids.
     by_entry: BTreeMap<String, Vec<Address>>,
-    by_parameter: BTreeMap<String, Address>,
+    /// What the vendor calls so; mostly one, but objects can share a parameter.
+    by_parameter: BTreeMap<String, Vec<Address>>,
     known: Vec<Index>,
     /// What a profile has besides, by id.
     offered: Arc<BTreeMap<String, Index>>,
@@ -30,7 +31,9 @@ impl Names {
         for object in &raw.objects {
             let index = object.index;
             names.by_id.entry(object_id(object)).or_insert(index);
-            names.by_parameter.extend(parameters(object));
+            for (parameter, address) in parameters(object) {
+                names.by_parameter.entry(parameter).or_default().push(address);
+            }
             for (id, address) in entries(object) {
                 names.by_entry.entry(id).or_default().push(address);
             }
@@ -62,7 +65,12 @@ impl Names {
     /// What `"controlword"`, `"0x6040"`, `"0x5010:03"` or `"software-position-limit:1"` refers to; an entry by its own id,
     /// `"max-position-limit"`, if no other has it.
     pub(super) fn find(&self, text: &str) -> Result<Address, Unknown> {
-        if let Some(address) = self.by_parameter.get(text).copied().or_else(|| self.lying(text)) {
+        match self.by_parameter.get(text).map(Vec::as_slice) {
+            Some([only]) => return Ok(*only),
+            Some(several) => return Err(Unknown::Several(several.to_vec())),
+            None => {}
+        }
+        if let Some(address) = self.lying(text) {
             return Ok(address);
         }
         let (object, subindex) = text.split_once(':').map_or((text, "0"), |(object, sub)| (object, sub));
@@ -114,7 +122,7 @@ impl Names {
 
 /// Why a reference names nothing.
 pub(super) enum Unknown {
-    /// Several entries have this id.
+    /// Several entries have this id, or this parameter behind them.
     Several(Vec<Address>),
     Nothing,
 }

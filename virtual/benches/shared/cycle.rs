@@ -31,10 +31,9 @@ pub(crate) fn bring_to_operational(wire: &mut Wire<Drive>) -> (usize, usize) {
         wire.advance(PERIOD);
     };
     let of = |role| {
-        areas
-            .of(role)
-            .next()
-            .map_or((0, 0, 0), |(number, area)| (area.address, area.length.1, lengths[number] as u16))
+        areas.of(role).next().map_or((0, 0, 0), |(number, area)| {
+            (area.address, area.length.1, lengths.get(number).map_or(0, |length| *length as u16))
+        })
     };
     let [out, into, outputs, inputs] =
         [Role::MailboxOut, Role::MailboxIn, Role::Outputs, Role::Inputs].map(of);

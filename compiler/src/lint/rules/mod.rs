@@ -51,6 +51,7 @@ mod idle_enumeration;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+mod idle_write_window;
 pub(crate) mod impossible_boot_mailbox;
 pub(crate) mod impossible_eeprom_size;
 pub(crate) mod incomplete_timeouts;
@@ -109,6 +110,7 @@ mod stray_profile_object;
 mod subindex_gap;
 pub(crate) mod surplus_sync_manager;
 pub(crate) mod unaligned_value;
+mod unassigned_mapping;
 pub(crate) mod uncontrolled_axis;
 pub(crate) mod uncopied_value;
 mod undefined_default;
@@ -169,7 +171,7 @@ lints! {
     contradicted_sync_types, contradicted_total, contradicted_width, deviating_access, deviating_kind,
     deviating_mapping, deviating_pattern, deviating_transition, deviating_type, differing_axis, disguised_choice, empty_limits,
     empty_name, empty_reason, excluded_assignment, foreign_protocol, foreign_state, hidden_command,
-    idle_enumeration, idle_erratum, idle_mapped_entry, idle_unit, impossible_boot_mailbox,
+    idle_enumeration, idle_erratum, idle_mapped_entry, idle_unit, idle_write_window, impossible_boot_mailbox,
     impossible_eeprom_size, incomplete_timeouts, indistinct_bit, indistinct_members, inverted_limits,
     manufacturer_bit, meaningful_reserved_bit, misaligned_entry, misclassified_error, misdirected_entry,
     misordered_sync_managers, misplaced_pdo, misplaced_sync_manager, missing_config_data, missing_group,
@@ -180,7 +182,7 @@ lints! {
     patternless_state, pinless_value, placeholder_identity, pointless_exclusion, portless_current,
     refused_choice, renamed_entry, repeated_alias, repeated_assignment, repeated_default, repeated_error,
     repeated_mailbox, repeated_mapping, replaced_revision, reserved_index, several_edges,
-    stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value, uncontrolled_axis,
+    stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value, unassigned_mapping, uncontrolled_axis,
     uncopied_value, undefined_default, undersized_eeprom, undersized_sync_manager, understated_axes,
     uneven_slots, unexpected_mode_bit, unfit_image, unknown_homing_method, unknown_rule, unlike_slots,
     unlistable_mode, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group,
