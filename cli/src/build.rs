@@ -33,7 +33,7 @@ use super::write::{Plan, make_folder};
 /// none is removed. A description with errors keeps the outputs it has, and the others are made all the same.
 #[derive(Debug, Args)]
 pub(super) struct Build {
-    /// Folders with a `device.toml`, or TOML files [default: every such folder in `devices`].
+    /// Folders with a `device.toml`, or TOML files [default: this one, or every such folder in `devices`].
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
 

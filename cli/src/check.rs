@@ -23,7 +23,7 @@ use super::workers::Workers;
 /// What an output cannot hold is said of those that are made without being asked for and of those that `devc.toml` names.
 #[derive(Debug, Args)]
 pub(super) struct Check {
-    /// Folders with a `device.toml`, or TOML files [default: every such folder in `devices`].
+    /// Folders with a `device.toml`, or TOML files [default: this one, or every such folder in `devices`].
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
 

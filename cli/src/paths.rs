@@ -1,7 +1,7 @@
 //! Which descriptions a command is about.
 
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use devc::source::{Disk, MAIN_FILE, owner};
@@ -32,40 +32,57 @@ pub(super) fn descriptions(given: &[PathBuf], report: &Report) -> Result<Vec<Pat
     files(&given.iter().map(whole).collect::<Vec<_>>())
 }
 
-/// The given paths, each once; without any, every folder under `devices` that holds a description.
+/// The given paths, each once, a folder of descriptions as these; without any, the description in this folder, or those
+/// in `devices`.
 pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     if given.is_empty() {
-        return shipped(&root().unwrap_or_default().join(DEVICES));
+        return match is_there(&PathBuf::from(MAIN_FILE)) {
+            true => Ok(vec![PathBuf::from(".")]),
+            false => shipped(&root().unwrap_or_default().join(DEVICES)),
+        };
     }
     let mut seen = Vec::new();
     let mut paths = Vec::new();
-    for path in given {
-        let canonical = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
+    for path in given.iter().flat_map(whole_folders) {
+        let canonical = fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
         if !seen.contains(&canonical) {
             seen.push(canonical);
-            paths.push(path.clone());
+            paths.push(path);
         }
     }
     Ok(paths)
 }
 
-/// Every folder in `folder` that holds a description, by name.
+/// The descriptions in a folder that is none itself; what holds none is reported when it is read.
+fn whole_folders(path: &PathBuf) -> Vec<PathBuf> {
+    let within = if is_there(&path.join(MAIN_FILE)) { Ok(Vec::new()) } else { within(path) };
+    within.ok().filter(|within| !within.is_empty()).unwrap_or_else(|| vec![path.clone()])
+}
+
+/// The descriptions in `devices`, of which there is at least one.
 fn shipped(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let help = "name the folder of a description, or run devc where the folder `devices` lies";
-    let entries =
-        fs::read_dir(folder).map_err(|error| Failure::at("look into", folder, &error).help(help))?;
-    let mut paths = Vec::new();
-    for entry in entries {
-        let path = entry.map_err(|error| Failure::at("look into", folder, &error))?.path();
-        // What is there and cannot be read is reported when it is read.
-        match fs::symlink_metadata(path.join(MAIN_FILE)) {
-            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {}
-            _ => paths.push(path),
-        }
-    }
-    paths.sort();
+    let help = "name the folder of a description, or run devc in it or where the folder `devices` lies; \
+                `devc new NAME` begins one";
+    let paths = within(folder).map_err(|error| Failure::at("look into", folder, &error).help(help))?;
     match paths.is_empty() {
         true => Err(Failure::new(format!("no folder in `{DEVICES}` holds a `{MAIN_FILE}`")).help(help)),
         false => Ok(paths),
+    }
+}
+
+/// Every folder in `folder` that holds a description, by name.
+fn within(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries: Vec<fs::DirEntry> = fs::read_dir(folder)?.collect::<Result<_, _>>()?;
+    let mut paths: Vec<PathBuf> = entries.iter().map(fs::DirEntry::path).collect();
+    paths.retain(|path| is_there(&path.join(MAIN_FILE)));
+    paths.sort();
+    Ok(paths)
+}
+
+/// What is there and cannot be read is reported when it is read.
+fn is_there(file: &Path) -> bool {
+    match fs::symlink_metadata(file) {
+        Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),
+        Ok(_) => true,
     }
 }

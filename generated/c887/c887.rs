@@ -130,6 +130,8 @@ pub mod objects {
     /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT" (p. 21).
     ///
     /// The name of the device.
+    ///
+    /// Assumed, type: the manual has STRING without a length; as long as the name that it prints.
     pub const MANUFACTURER_DEVICE_NAME: Entry<C887, str, ReadOnly> = Entry::new(0x1008, 0);
 
     /// `0x1009:00` Manufacturer hardware version. STRING(32), ro, default "0" (p. 21).
@@ -576,6 +578,8 @@ pub mod objects {
     ///
     /// Set to its default on delivery and active from power-on, as the EtherCAT interface is. GCS commands
     /// cannot change it meanwhile.
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod work_coordinate_system {
         use super::*;
 
@@ -613,6 +617,8 @@ pub mod objects {
     ///
     /// Set to its default on delivery and active from power-on, as the EtherCAT interface is. GCS commands
     /// cannot change it meanwhile.
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod tool_coordinate_system {
         use super::*;
 
@@ -645,6 +651,8 @@ pub mod objects {
     }
 
     /// `0x5008` Motor homing method (p. 25).
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod motor_homing_method {
         use super::*;
 
@@ -665,6 +673,8 @@ pub mod objects {
     }
 
     /// `0x5009` Software version (p. 25).
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod software_version {
         use super::*;
 
@@ -683,6 +693,8 @@ pub mod objects {
     /// `0x5010` Buffered parameters (p. 17, p. 18, p. 25).
     ///
     /// Writing 1 to an entry sets off what it stands for.
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod buffered_parameters {
         use super::*;
 
@@ -731,6 +743,8 @@ pub mod objects {
     ///
     /// The direction to ask for: the components of the axes on its vector. They can be negative; at least
     /// one is other than 0.
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod direction_for_travelrange {
         use super::*;
 
@@ -754,6 +768,8 @@ pub mod objects {
     ///
     /// The farthest absolute position that can be commanded in the direction of 0x5011 from the position at
     /// the time of the query.
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod available_travelrange {
         use super::*;
 
@@ -786,6 +802,8 @@ pub mod objects {
     }
 
     /// `0x5013` Debug Information (p. 9, p. 26).
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod debug_information {
         use super::*;
 
@@ -811,6 +829,8 @@ pub mod objects {
     ///
     /// Where motions superpose, the velocities hold for the present position only and can be lower along
     /// the way.
+    ///
+    /// Assumed, kind: no column for it; the entries of one index have one type.
     pub mod maximum_velocity_and_acceleration {
         use super::*;
 

@@ -1933,6 +1933,10 @@ pub const HOMING: HomingBits = HomingBits { start: 0x0010, reached: 0x0400, atta
 ///
 /// No motion command is carried out in Fault and Quick stop active. Any motion command but MC\_Stop can
 /// be overwritten while it runs.
+///
+/// Assumed, wrong-command: the manual says nothing of a command that leads nowhere in the present
+/// state. Assumed, wrong-mode: the manual says nothing of a mode that the drive does not have, nor of a
+/// change that has to wait for standstill.
 pub const MACHINE: Machine = Machine {
     states: STATES,
     commands: commands::ALL,
@@ -4386,7 +4390,7 @@ pub mod double {
         /// customised.
         ///
         /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
-        /// the table of the mapping.
+        /// the tables of the mapping; those of objects have it right.
         pub const VELOCITY: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
@@ -6664,7 +6668,7 @@ pub mod single {
         /// customised.
         ///
         /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
-        /// the table of the mapping.
+        /// the tables of the mapping; those of objects have it right.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
 
         /// Process data of the choice “Interpolated position mode”.

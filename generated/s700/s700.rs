@@ -712,10 +712,13 @@ pub mod objects {
         pub const ENTRY_4: Entry<Family, u8, ReadOnly> = Entry::new(0x1C00, 4);
     }
 
-    /// `0x1C13` Sync manager 3 PDO assignment (3.5, 3.6, 3.6.1).
+    /// `0x1C13` Sync manager 3 PDO assignment (3.3.4, 3.5, 3.6, 3.6.1).
     ///
     /// Selects the mapping of the actual values: 0 to subindex 0, the PDO to subindex 1, then 1 to subindex
     /// 0.
+    ///
+    /// Assumed, written: the mapping is set in advance of Safe-operational, 3.3.4; whether it can be later
+    /// is not said.
     pub mod sync_manager_3_pdo_assignment {
         use super::*;
 
@@ -1455,6 +1458,9 @@ pub mod objects {
     ///
     /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
     /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
+    ///
+    /// Assumed, written: the example writes it on the way to Safe-operational, and the text in the startup
+    /// phase; whether it can be written later is not said.
     pub mod interpolation_time_period {
         use super::*;
 
@@ -3865,74 +3871,101 @@ pub mod commands {
     /// Shutdown, transition 2. `xxxx xx10` (3.4.1, 3.4.2).
     ///
     /// The switch-on inhibit is lifted.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const SHUTDOWN_2: Command = Command::new("shutdown", 0x0003, 0x0002, &[2]);
 
     /// Switch on, transition 3. `xxxx x11r` (3.4.1, 3.4.2).
     ///
     /// The amplifier is enabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const SWITCH_ON_3: Command = Command::new("switch on", 0x0007, 0x0007, &[3]).on(Edge::Rising(0x0001));
 
     /// Enable operation, transition 4. `xxxx r111` (3.4.1, 3.4.2).
     ///
     /// The amplifier takes the set values.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const ENABLE_OPERATION_4: Command =
         Command::new("enable operation", 0x000F, 0x000F, &[4]).on(Edge::Rising(0x0008));
 
     /// Disable operation, transition 5. `xxxx f111` (3.4.1, 3.4.2).
     ///
     /// The amplifier no longer takes the set values; the drive stops in speed control.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const DISABLE_OPERATION_5: Command =
         Command::new("disable operation", 0x000F, 0x0007, &[5]).on(Edge::Falling(0x0008));
 
     /// Shutdown, transition 6. `xxxx xx1f` (3.4.1, 3.4.2).
     ///
     /// The amplifier is disabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const SHUTDOWN_6: Command = Command::new("shutdown", 0x0003, 0x0002, &[6]).on(Edge::Falling(0x0001));
 
     /// Disable voltage, transition 7. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The switch-on inhibit is back.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's. Assumed, about: the
+    /// manual says only that the rising edge lifts the inhibit.
     pub const DISABLE_VOLTAGE_7: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[7]).on(Edge::Falling(0x0002));
 
     /// Shutdown, transition 8. `xxxx xx1f` (3.4.1, 3.4.2).
     ///
     /// The amplifier is disabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const SHUTDOWN_8: Command = Command::new("shutdown", 0x0003, 0x0002, &[8]).on(Edge::Falling(0x0001));
 
     /// Disable voltage, transition 9. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const DISABLE_VOLTAGE_9: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[9]).on(Edge::Falling(0x0002));
 
     /// Disable voltage, transition 10. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const DISABLE_VOLTAGE_10: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[10]).on(Edge::Falling(0x0002));
 
     /// Quick stop, transition 11. `xxxx 1f11` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECDIS and stays enabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const QUICK_STOP_11: Command =
         Command::new("quick stop", 0x000F, 0x000B, &[11]).on(Edge::Falling(0x0004));
 
     /// Disable voltage, transition 12. `xxxx xxfx` (3.4.1, 3.4.2).
     ///
     /// The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const DISABLE_VOLTAGE_12: Command =
         Command::new("disable voltage", 0x0002, 0x0000, &[12]).on(Edge::Falling(0x0002));
 
     /// Fault reset, transition 15. `rxxx xxxx` (3.4.1, 3.4.2).
     ///
     /// The fault is cleared.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const FAULT_RESET_15: Command =
         Command::new("fault reset", 0x0080, 0x0080, &[15]).on(Edge::Rising(0x0080));
 
     /// Enable operation, transition 16. `xxxx 1r11` (3.4.1, 3.4.2).
     ///
     /// The amplifier takes the set values again.
+    ///
+    /// Assumed, command: the manual names the bits and no commands; the profile's.
     pub const ENABLE_OPERATION_16: Command =
         Command::new("enable operation", 0x000F, 0x000F, &[16]).on(Edge::Rising(0x0004));
 
@@ -4328,9 +4361,12 @@ pub mod s300 {
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1C12` Sync manager 2 PDO assignment (3.5, 3.6, 3.6.1).
+        /// `0x1C12` Sync manager 2 PDO assignment (3.3.4, 3.5, 3.6, 3.6.1).
         ///
         /// Selects the mapping of the set values: 0 to subindex 0, the PDO to subindex 1, then 1 to subindex 0.
+        ///
+        /// Assumed, written: the mapping is set in advance of Safe-operational, 3.3.4; whether it can be later
+        /// is not said.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
@@ -5351,9 +5387,12 @@ pub mod s400 {
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1C12` Sync manager 2 PDO assignment (3.5, 3.6, 3.6.1).
+        /// `0x1C12` Sync manager 2 PDO assignment (3.3.4, 3.5, 3.6, 3.6.1).
         ///
         /// Selects the mapping of the set values: 0 to subindex 0, the PDO to subindex 1, then 1 to subindex 0.
+        ///
+        /// Assumed, written: the mapping is set in advance of Safe-operational, 3.3.4; whether it can be later
+        /// is not said.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 

@@ -24,7 +24,8 @@ fn a_path_that_leads_nowhere_is_not_run() {
     let desk = Desk::sound();
     desk.devc(&["check", "devices/drvie"])
         .ends(2, &["`devices/drvie` does not exist", "`drive` lies beside it"]);
-    desk.devc(&["check", "devices"]).ends(2, &["`devices` holds no description"]);
+    desk.put("empty/readme.txt", "");
+    desk.devc(&["check", "empty"]).ends(2, &["`empty` holds no description"]);
 }
 
 #[test]
@@ -33,6 +34,21 @@ fn without_devices_a_path_is_needed() {
     desk.devc(&["build"]).ends(2, &["cannot look into `devices`", "name the folder of a description"]);
     desk.put("devices/readme.txt", "");
     desk.devc(&["build"]).ends(2, &["no folder in `devices` holds a `device.toml`"]);
+}
+
+#[test]
+fn without_a_path_the_description_in_this_folder_is_taken() {
+    let desk = Desk::new(&[("drive", SOUND), ("other", SOUND)]);
+    desk.devc_in("devices/drive", &["check"]).ends(0, &[".: no findings"]);
+    desk.devc_in("devices/drive", &["build"]).ends(0, &["to generated/drive"]);
+}
+
+#[test]
+fn a_folder_of_descriptions_is_all_of_them() {
+    let desk = Desk::new(&[("drive", SOUND), ("other", SOUND)]);
+    let run = desk.devc(&["check", "devices", "devices/drive"]);
+    run.ends(0, &["devices/drive: no findings", "devices/other: no findings"]);
+    assert_eq!(run.out.lines().count(), 2, "{}", run.out);
 }
 
 #[test]

@@ -87,3 +87,28 @@ fn monsters_are_refused() {
         assert!(start.elapsed().as_secs() < 20, "{name} took {:?}", start.elapsed());
     }
 }
+
+/// What is not there is answered with how it comes to be there.
+#[test]
+fn a_reference_to_nothing_says_what_to_write() {
+    let with = |text: &str| format!("profiles = [\"ethercat\", \"cia402\"]\n{SOUND}{text}\n");
+    for (text, answer) in [
+        ("unit = \"mA\"", "describe it in `[units.mA]`"),
+        ("values = \"gears\"", "describe it in `[enumerations.gears]`"),
+        (
+            "[tx-pdos.0x1A00]\nname = \"A\"\nentries = [\"velocity actual\"]",
+            "a profile has `velocity-actual-value`",
+        ),
+        ("[tx-pdos.0x1A00]\nname = \"A\"\nentries = [\"velocity-actual-value\"]", "add `[objects.0x606C]`"),
+        ("[tx-pdos.0x1A00]\nname = \"A\"\nentries = [\"0x606C\"]", "add `[objects.0x606C]`"),
+        ("[modes]\ncsp = {}", "expected the code of a mode of operation"),
+        ("[homing-methods]\nindex = {}", "expected"),
+        ("[vendor-codes]\nlow = {}", "expected"),
+        ("[transitions]\nenable = {}", "expected the number of a transition"),
+    ] {
+        let desk = Desk::new(&[("drive", &with(text))]);
+        let run = desk.devc(&["check"]);
+        run.ends(1, &[answer]);
+        assert!(!run.err.contains("missing-key"), "{}", run.err);
+    }
+}

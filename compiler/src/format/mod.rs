@@ -74,6 +74,13 @@ mod tests {
     }
 
     #[test]
+    fn a_range_has_one_spelling_and_what_ends_before_it_begins_is_a_word() {
+        becomes("[rx-pdos]\n\"0x1601 ..= 0x160a\" = {}\n", "[rx-pdos]\n\"0x1601..=0x160A\" = {}\n");
+        becomes("[rx-pdos]\n\"0x160a..=0x1601\" = {}\n", "[rx-pdos]\n\"0x160a..=0x1601\" = {}\n");
+        becomes("[objects.0x2000.entries]\n\"1..=0\" = {}\n", "[objects.0x2000.entries]\n\"1..=0\" = {}\n");
+    }
+
+    #[test]
     fn dotted_keys_follow_and_stand_alone() {
         becomes(
             "[objects.0x6060]\nper-axis.\"Y..=W\" = { functional = false }\naccess=\"ro\"\nid = \"mode\"\n",

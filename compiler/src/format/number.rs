@@ -1,6 +1,6 @@
 //! How numbers and keys are written.
 
-use crate::source::keys::number;
+use crate::source::keys::{number, range};
 
 /// A number in hexadecimal has upper-case digits; what is no such number stays as it is.
 pub(super) fn value(written: &str) -> String {
@@ -29,8 +29,8 @@ pub(super) fn key(name: &str, is_index: bool) -> String {
         None => part.to_owned(),
     };
     match name.split_once("..=") {
-        // a name of axes is no number
-        Some((first, last)) if number(first.trim()).is_some() && number(last.trim()).is_some() => {
+        // names of axes are no numbers, and what begins behind its end is a word
+        Some((first, last)) if range::<i64>(name).is_some() => {
             format!("{}..={}", part(first.trim()), part(last.trim()))
         }
         Some(_) => name.to_owned(),

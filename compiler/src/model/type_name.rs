@@ -140,11 +140,14 @@ mod tests {
 
     #[test]
     fn types_are_read_as_they_are_written() {
-        let same = ["OCTET_STRING(8)", "UNICODE_STRING(20)", "STRING(3)", "BIT5", "DWORD", "UINT56"];
+        let same = ["OCTET_STRING(8)", "UNICODE_STRING(20)", "STRING(1)", "BIT5", "DWORD", "UINT56"];
         for text in same.into_iter().chain(["ARRAY_OF_INT8(6)", "ARRAY_OF_UINT32(2)"]) {
             assert_eq!(text.parse::<DataType>().unwrap().to_string(), text);
         }
-        for text in ["ARRAY_OF_INT16(0)", "ARRAY_OF_INT16", "ARRAY_OF_UINT16(2)", "ARRAY_OF_INT16(40000)"] {
+        let empty =
+            ["STRING(0)", "OCTET_STRING(0)", "UNICODE_STRING(0)", "ARRAY_OF_INT16(0)", "BIT0", "INT0"];
+        let others = ["ARRAY_OF_INT16", "ARRAY_OF_UINT16(2)", "ARRAY_OF_INT16(40000)", "STRING(65536)"];
+        for text in empty.into_iter().chain(others) {
             assert_eq!(text.parse::<DataType>(), Err(()), "{text}");
         }
         let bits = |text: &str| text.parse::<DataType>().unwrap().bits();

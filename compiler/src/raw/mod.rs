@@ -51,9 +51,13 @@ pub use unit::{RawAxisUnit, RawUnit};
 pub use values::RawValues;
 pub use word::RawWord;
 
-/// Declares a table of which something is resolved later.
+/// Declares a table of which something is resolved later. `by code: "..."` names the field that holds what is read of the
+/// key, and says what the key has to be.
 macro_rules! raw {
-    ($($(#[$meta:meta])* pub struct $name:ident { $($fields:tt)* })*) => {
+    ($(
+        $(#[$meta:meta])*
+        pub struct $name:ident $(by $key:ident: $expected:literal)? { $($fields:tt)* }
+    )*) => {
         $(
             $(#[$meta])*
             #[derive(Debug, Default, serde::Deserialize)]
@@ -73,7 +77,7 @@ macro_rules! raw {
             }
 
             impl $crate::model::Table for $name {
-                const KEY: &'static str = "";
+                const KEY: &'static str = concat!("" $(, $expected)?);
 
                 fn stand(
                     &mut self,
@@ -84,6 +88,7 @@ macro_rules! raw {
                     self.key = key.to_owned();
                     self.source = source;
                     self.origin = origin;
+                    $crate::model::table::stand!(self, key $(, $key)?);
                     true
                 }
             }

@@ -5,7 +5,10 @@ use crate::model::{Fields, HomingBits, MotionCommand};
 
 raw! {
     /// `[modes.<code>]`: a mode of operation by its code in 0x6060.
-    pub struct RawMode {
+    pub struct RawMode by code: "the code of a mode of operation, such as 8 for csp" {
+        /// The code in 0x6060.
+        #[serde(skip)]
+        pub code: i16,
         /// The word for it, such as `csp`.
         pub id: String,
         /// Its name.

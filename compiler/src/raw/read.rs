@@ -27,19 +27,20 @@ pub(super) trait Read: Sized {
     fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self>;
 }
 
-impl<T: Table + DeserializeOwned> Read for T {
+impl<T: Table + Default + DeserializeOwned> Read for T {
     fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self> {
         let Entity { key, header, table, .. } = entity;
+        // What a table under another key lacks is no help to who mistook the key.
+        if !T::default().stand(key, None, Origin::default()) {
+            sections.invalid(key, T::KEY, header);
+            return None;
+        }
         let mut reader = Reader::new(&table, sections.diagnostics);
         let value = reader.part::<T>();
         let facts = reader.part::<RawFacts>();
         reader.finish();
         let (mut value, source) = (value?, sections.source(&facts?));
-        let stands = value.stand(key, source, Origin::new(header, table));
-        if !stands {
-            sections.invalid(key, T::KEY, header);
-        }
-        stands.then_some(value)
+        value.stand(key, source, Origin::new(header, table)).then_some(value)
     }
 }
 

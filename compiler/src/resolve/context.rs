@@ -2,7 +2,7 @@
 
 use super::names::{self, Names, Unknown};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
-use crate::model::{Address, Axis, Enumeration, Index, Meanings, Object, Shift};
+use crate::model::{Address, Axis, Enumeration, Index, Meanings, Object, Section, Shift};
 use crate::raw::RawValues;
 use crate::source::{Location, Origin};
 use crate::text::near::{list, meant};
@@ -71,7 +71,14 @@ impl Context<'_> {
             (Unknown::Nothing, _, Some(index)) => fault
                 .note("an object of a profile is there once it is mentioned")
                 .help(format!("add `[objects.{index}]` with what the profile does not say")),
-            (Unknown::Nothing, None, None) => fault,
+            (Unknown::Nothing, None, None) => match self.names.near_offered(object).filter(|_| has_room) {
+                Some((name, index)) => fault
+                    .note(format!(
+                        "a profile has `{name}`; an object of a profile is there once it is mentioned"
+                    ))
+                    .help(format!("if that is meant, write its name and add `[objects.{index}]`")),
+                None => fault,
+            },
         });
     }
 
@@ -115,38 +122,53 @@ impl Context<'_> {
 
     /// Whether a reference names one of several things; reports it if it does not.
     pub(super) fn bind(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
-        self.bind_as(text, known, what, at, |name| format!("\"{name}\""))
+        let fault = self.unbound(text, known, what, at, |name| format!("\"{name}\""));
+        fault.map(|fault| self.diagnostics.push(fault)).is_none()
+    }
+
+    /// Binds a reference to a table of a section, or reports that there is none and how to write it.
+    pub(super) fn bind_to(
+        &mut self,
+        section: Section,
+        text: &str,
+        known: &[String],
+        what: &str,
+        at: Location,
+    ) {
+        if let Some(fault) = self.unbound(text, known, what, at, |name| format!("\"{name}\"")) {
+            self.diagnostics.push(fault.help(format!("describe it in `[{}.{text}]`", section.name())));
+        }
     }
 
     /// Whether a key names one of several things; reports it if it does not.
     pub(super) fn bind_key(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
-        self.bind_as(text, known, what, at, str::to_owned)
+        let fault = self.unbound(text, known, what, at, str::to_owned);
+        fault.map(|fault| self.diagnostics.push(fault)).is_none()
     }
 
-    fn bind_as(
-        &mut self,
+    /// What is wrong with a word that names none of several things.
+    fn unbound(
+        &self,
         text: &str,
         known: &[String],
         what: &str,
         at: Location,
         written: impl Fn(&str) -> String,
-    ) -> bool {
+    ) -> Option<Diagnostic> {
         if known.iter().any(|name| name == text) {
-            return true;
+            return None;
         }
         let message = format!("there is no {what} `{text}`");
-        let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
         let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
-        fault = match has_room.then(|| meant(text, known.iter().map(String::as_str))).flatten() {
+        Some(match has_room.then(|| meant(text, known.iter().map(String::as_str))).flatten() {
             Some((near, is_plain)) => instead(fault, near, is_plain, at, written(near)),
             None if known.is_empty() => fault.note(format!("the description has no {what}")),
             None => {
                 let known: Vec<&str> = known.iter().map(String::as_str).collect();
                 fault.note(format!("known are {}", list(&known)))
             }
-        };
-        self.diagnostics.push(fault);
-        false
+        })
     }
 
     /// What single values mean, there or in an enumeration; nothing if there is no such enumeration, which is reported.
@@ -159,7 +181,7 @@ impl Context<'_> {
             return known.values.clone();
         }
         let known: Vec<String> = self.enumerations.iter().map(|known| known.id.clone()).collect();
-        self.bind(name, &known, "enumeration", origin.value("values"));
+        self.bind_to(Section::Enumerations, name, &known, "enumeration", origin.value("values"));
         Meanings::default()
     }
 

@@ -4,7 +4,7 @@
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::Siblings;
-use crate::model::{Device, ErrorCode, HomingMethod, ModePdo, Pdo, Role, SyncMode, Transition};
+use crate::model::{Device, ErrorCode, HomingMethod, ModePdo, Pdo, Role, Section, SyncMode, Transition};
 use crate::source::{Layer, Origin};
 
 /// The same tables in the order of a key.
@@ -145,7 +145,7 @@ fn units(context: &mut Context<'_>, device: &Device) {
     let known: Vec<String> = device.units.iter().map(|unit| unit.id.clone()).collect();
     for entry in device.objects.iter().flat_map(|object| &object.entries) {
         if let Some(unit) = &entry.unit {
-            context.bind(unit, &known, "unit", entry.origin.value("unit"));
+            context.bind_to(Section::Units, unit, &known, "unit", entry.origin.value("unit"));
         }
     }
 }

@@ -3,18 +3,19 @@
 use super::context::Context;
 use crate::model::{Address, HomingBits, Mode};
 use crate::raw::RawMode;
-use crate::source::{Layer, Origin, keys};
+use crate::source::{Layer, Origin};
 
 /// The modes, by code.
 pub(super) fn modes(context: &mut Context<'_>, raw: Vec<RawMode>) -> Vec<Mode> {
-    let mut modes: Vec<Mode> = raw.into_iter().filter_map(|raw| mode(context, raw)).collect();
+    let mut modes: Vec<Mode> = raw.into_iter().map(|raw| mode(context, raw)).collect();
     modes.sort_by_key(|mode| mode.code);
     modes
 }
 
-fn mode(context: &mut Context<'_>, raw: RawMode) -> Option<Mode> {
+fn mode(context: &mut Context<'_>, raw: RawMode) -> Mode {
     let RawMode {
-        key,
+        code,
+        key: _,
         id,
         name,
         about,
@@ -31,14 +32,10 @@ fn mode(context: &mut Context<'_>, raw: RawMode) -> Option<Mode> {
         source,
         origin,
     } = raw;
-    let code = keys::number(&key).and_then(|code| i16::try_from(code).ok());
-    if code.is_none() {
-        context.invalid(&key, "the code of a mode of operation", origin.header());
-    }
     let objects = self::objects(context, &objects, &origin);
     let homing_bits = homing_bits.filter(|bits| within(context, *bits, &origin));
-    Some(Mode {
-        code: code?,
+    Mode {
+        code,
         aliases,
         id,
         name,
@@ -54,7 +51,7 @@ fn mode(context: &mut Context<'_>, raw: RawMode) -> Option<Mode> {
         commands,
         source,
         origin,
-    })
+    }
 }
 
 /// The entries a mode uses; a profile names all that it could use, of which a device has some.

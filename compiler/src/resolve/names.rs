@@ -94,6 +94,16 @@ impl Names {
         self.offered.get(id).copied()
     }
 
+    /// The object of a profile that the description does not mention and whose id goes on where one that refers to nothing
+    /// ends, or is most like it.
+    pub(super) fn near_offered(&self, id: &str) -> Option<(&str, Index)> {
+        let id = ids::id(id);
+        let ids = self.offered.keys().map(String::as_str);
+        let longer = ids.clone().find(|offered| id.len() > 3 && offered.starts_with(&id));
+        let name = longer.or_else(|| meant(&id, ids).map(|(name, _)| name))?;
+        Some((name, self.offered(name)?))
+    }
+
     /// The name of an object or an entry that is most like one that refers to nothing, and whether it is plain that it was
     /// meant.
     pub(super) fn near(&self, object: &str) -> Option<(String, bool)> {

@@ -293,3 +293,17 @@ fn halt_stands_when_the_drive_does_not_when_it_stood_before() {
         }
     }
 }
+
+/// Homing is asked for before the axis is in the mode for it: it begins once there is motion.
+#[test]
+fn homing_waits_for_motion() {
+    let mut homing = Homing::new(HomingBits::PROFILE, TIMING);
+    homing.start();
+    for _ in 0..2 * ROUND_TRIP {
+        assert_eq!(homing.cycle(&output(false), 0) & START, 0);
+        assert_eq!(homing.progress(), HomingProgress::Starting);
+    }
+    assert_eq!(homing.cycle(&output(true), 0) & START, START);
+    assert_eq!(homing.cycle(&output(false), 0) & START, 0);
+    assert_eq!(homing.progress(), HomingProgress::Interrupted);
+}

@@ -56,6 +56,8 @@ fn values_of_any_length_are_read_and_written() {
             let read = upload(&mut device, size, Upload::new(NOTE, &mut [0; 16]));
             assert_eq!(read.as_deref(), Ok(text.as_bytes()), "{size} bytes");
         }
+        let read = upload(&mut device, size, Upload::new(MODEL, &mut [0; 7]));
+        assert_eq!(read.as_deref(), Ok(&b"model 1"[..]), "a buffer that it just fills, {size} bytes");
         let whole = [3, 0, 7, 0, 8, 0, 9, 0];
         let from = Address::new(LIST, 0);
         assert_eq!(download(&mut device, size, Download::whole(from, &whole)), Ok(()));

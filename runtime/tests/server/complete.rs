@@ -4,7 +4,7 @@ use devc_runtime::object::Address;
 use devc_runtime::sdo::CommunicationState::{self, Operational, PreOperational};
 use devc_runtime::sdo::{AbortCode, Part, Server};
 
-use crate::device::{GAIN, LIST, MIXED, NARROW, Tiny};
+use crate::device::{APART, GAIN, LIST, MIXED, NARROW, Tiny};
 
 fn server() -> Server<Tiny> {
     Server::new(Tiny::NEW, ())
@@ -41,6 +41,12 @@ fn bits_are_side_by_side_and_bytes_begin_at_bytes() {
     assert_eq!(server.values.narrow, (false, 0b010, 0b01_0110, 0xABCD));
     assert_eq!(server.download_complete(Address::new(NARROW, 1), Operational, &data[2..]), Ok(()));
     assert_eq!(server.values, Tiny::NEW);
+}
+
+#[test]
+fn a_whole_byte_behind_a_bit_begins_at_a_byte() {
+    let data = [4, 0, 1, 0b101, 0b11_0011, 0x34, 0x12];
+    assert_eq!(upload(Address::new(APART, 0), Operational), Ok(data.to_vec()));
 }
 
 #[test]

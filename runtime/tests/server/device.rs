@@ -17,6 +17,7 @@ pub(crate) const RATIO: Address = Address::new(0x2007, 0);
 pub(crate) const LIST: u16 = 0x2010;
 pub(crate) const MIXED: u16 = 0x2011;
 pub(crate) const NARROW: u16 = 0x2012;
+pub(crate) const APART: u16 = 0x2013;
 
 /// The values.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,7 +118,7 @@ static TABLE: Dictionary = Dictionary {
     pages: &[Page {
         first: 0,
         axis: 0,
-        slots: &[0, 1, 2, 3, 4, 5, 6, 7, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 8, 9, 10],
+        slots: &[0, 1, 2, 3, 4, 5, 6, 7, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 8, 9, 10, 11],
         objects: &[
             variable(0, &[entry(0, 0, DataType::VISIBLE_STRING, 80, Access::READ)]),
             variable(1, &[entry(0, 0, DataType::INTEGER16, 16, BEFORE_SAFE)]),
@@ -162,6 +163,20 @@ static TABLE: Dictionary = Dictionary {
                     entry(0, CONSTANT, DataType::UNSIGNED8, 8, Access::READ),
                     entry(1, 0, DataType::BOOLEAN, 1, READ_WRITE),
                     entry(2, 1, DataType(0x32), 3, READ_WRITE),
+                    entry(3, 2, DataType(0x35), 6, READ_WRITE),
+                    entry(4, 3, DataType::UNSIGNED16, 16, READ_WRITE),
+                ],
+                constants: 0,
+            },
+            // the same values with a whole byte behind the bit
+            ObjectInfo {
+                code: ObjectCode::Record,
+                axis: 0,
+                field: 9,
+                entries: &[
+                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, Access::READ),
+                    entry(1, 0, DataType::BOOLEAN, 1, READ_WRITE),
+                    entry(2, 1, DataType::UNSIGNED8, 8, READ_WRITE),
                     entry(3, 2, DataType(0x35), 6, READ_WRITE),
                     entry(4, 3, DataType::UNSIGNED16, 16, READ_WRITE),
                 ],

@@ -18,6 +18,14 @@ fn an_abort_travels_as_a_request() {
     assert_eq!(written, frame);
 }
 
+/// ETG.1000.4, mailbox error reply: type 1, then the code; the number of the message has three bits.
+#[test]
+fn what_a_mailbox_does_not_take_is_told_with_its_code() {
+    let mut frame = [0xAA; 10];
+    assert_eq!(MailboxError::UNSUPPORTED_PROTOCOL.encode(9, &mut frame), Ok(10));
+    assert_eq!(frame, [4, 0, 0, 0, 0, 0x10, 1, 0, 2, 0]);
+}
+
 #[test]
 fn an_expedited_upload_fills_four_bytes() {
     // the recording ends in front of the value, a byte of 0x1C00

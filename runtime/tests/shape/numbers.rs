@@ -49,7 +49,9 @@ fn scaling_is_exact_or_says_so_and_never_wraps() {
             let off = (product - i128::from(rounded) * i128::from(d)).abs();
             let end = if value < 0 { i64::MIN } else { i64::MAX };
             assert!(rounded == end || 2 * off <= i128::from(d), "{value} × {n}/{d} is not near {rounded}");
-            assert_eq!(Scale::new(d, n).unwrap().raw_rounded(value), rounded);
+            let back = Scale::new(d, n).unwrap();
+            assert_eq!(back.raw_rounded(value), rounded);
+            assert_eq!(back.raw(value), scale.physical(value), "{value} of {d}/{n}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Words and codes against the manual's tables, all 65 536 of them.
 
 use devc_runtime::cia402::State::{self, *};
-use devc_runtime::cia402::{Command, Coupling, StateSet};
+use devc_runtime::cia402::{Command, Coupling, Pattern, StateSet};
 use devc_runtime::error::ErrorCode as _;
 
 use crate::c887::{ErrorCode, STATES, Statusword, TRANSITIONS, commands};
@@ -126,4 +126,12 @@ fn error_codes_have_their_own_name_before_that_of_their_range() {
     assert_eq!(ErrorCode::MOTOR_BLOCKED.to_string(), "0x7121: Motor Blocked");
     assert_eq!(ErrorCode(0x1234).to_string(), "0x1234: unknown error");
     assert_eq!(ErrorCode::SAFETY_STOP_TRIGGERED.info().unwrap().vendor_codes, [500, 501, 657]);
+}
+
+/// As CiA 402 writes them: x for a bit that does not count.
+#[test]
+fn patterns_are_shown_as_the_standard_writes_them() {
+    let fault = Pattern { mask: 0x004F, value: 0x0008 };
+    assert_eq!(fault.to_string(), "xxxx xxxx x0xx 1000");
+    assert_eq!(Pattern { mask: 0x8100, value: 0x8100 }.to_string(), "1xxx xxx1 xxxx xxxx");
 }
