@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use bolero::TypeGenerator;
 use devc::text::characters::hazard;
-use devc_runtime::esm::Area;
+use devc_runtime::esm::{Area, Areas, Role};
 use devc_virtual::drive::{Drive, Model};
 use devc_virtual::{Firmware as _, Subdevice, Wire};
 
@@ -100,6 +100,17 @@ struct Bench {
     mailbox: Area,
 }
 
+/// Where each sync manager lies and how long it is, with its control byte.
+fn managers(areas: Areas, lengths: &[usize]) -> [((u16, u16), u8); 4] {
+    let control =
+        [(Role::MailboxOut, 0x26), (Role::MailboxIn, 0x22), (Role::Outputs, 0x64), (Role::Inputs, 0x20)];
+    control.map(|(role, control)| match areas.of(role).next() {
+        Some((_, area)) if control & 0x02 != 0 => ((area.address, area.length.1), control),
+        Some((number, area)) => ((area.address, lengths[number] as u16), control),
+        None => ((0, 0), control),
+    })
+}
+
 impl Bench {
     fn new(drives: &[u8]) -> Self {
         let drive = |number: &u8| {
@@ -109,7 +120,7 @@ impl Bench {
         let numbers = if drives.is_empty() { &[0] } else { drives };
         let mut subdevices: Vec<Subdevice<Drive>> = numbers.iter().take(3).map(drive).collect();
         let (areas, _) = subdevices[0].firmware.expected();
-        let mailbox = areas.mailbox_out.expect("every shipped drive has a mailbox");
+        let mailbox = areas.of(Role::MailboxOut).next().expect("every shipped drive has a mailbox").1;
         let mut bench = Self { wire: Wire::new(subdevices), mailbox };
         bench.write(APWR, 0, 0x0010, &STATION.to_le_bytes());
         bench
@@ -118,14 +129,7 @@ impl Bench {
     /// Sets what a master sets at start-up, as far as `start` says, and asks for the states.
     fn bring(&mut self, start: u8) {
         let (areas, lengths) = self.wire.subdevices_mut()[0].firmware.expected();
-        let exact = |area: Option<Area>| area.map_or((0, 0), |area| (area.address, area.length.1));
-        let fixed = |area: Option<Area>, length: usize| (exact(area).0, length as u16);
-        let managers = [
-            (exact(areas.mailbox_out), 0x26),
-            (exact(areas.mailbox_in), 0x22),
-            (fixed(areas.outputs, lengths.outputs), 0x64),
-            (fixed(areas.inputs, lengths.inputs), 0x20),
-        ];
+        let managers = managers(areas, &lengths);
         for (number, ((address, length), control)) in (0_u16..).zip(managers) {
             let [a, b] = address.to_le_bytes();
             let [c, d] = length.to_le_bytes();
@@ -144,7 +148,7 @@ impl Bench {
         }
         for state in [2, 4, 8].into_iter().take(usize::from(start % 4)) {
             self.write(FPWR, STATION, 0x0120, &[state, 0]);
-            let mut outputs = frame(&[(12, [0, 0x10, 0, 0], vec![0; lengths.outputs])]);
+            let mut outputs = frame(&[(12, [0, 0x10, 0, 0], vec![0; managers[2].0.1.into()])]);
             self.pass(&mut outputs);
         }
     }

@@ -4400,8 +4400,8 @@ pub mod double {
         pub mod interpolated_position {
             use super::*;
 
-            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.3.1,
-            /// 7.1.1, Tab. 30, Tab. 31).
+            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.6, 5.3.9,
+            /// 6.6.1.3, Tab. 8 to 11).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -4470,8 +4470,8 @@ pub mod double {
                 const MEMBERS: Members = Members::of(&[0, 2]);
             }
 
-            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.3.2,
-            /// 7.1.2, Tab. 32, Tab. 33).
+            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.6, 5.3.9,
+            /// 6.6.1.3, Tab. 8 to 11).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -4635,8 +4635,8 @@ pub mod double {
         pub mod velocity {
             use super::*;
 
-            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.3.1,
-            /// 7.1.1, Tab. 30, Tab. 31).
+            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.6, 5.3.9,
+            /// 6.6.6.3, Tab. 18 to 21).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -4705,8 +4705,8 @@ pub mod double {
                 const MEMBERS: Members = Members::of(&[0, 2]);
             }
 
-            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.3.2,
-            /// 7.1.2, Tab. 32, Tab. 33).
+            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.6, 5.3.9,
+            /// 6.6.6.3, Tab. 18 to 21).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -6675,7 +6675,7 @@ pub mod single {
         pub mod interpolated_position {
             use super::*;
 
-            /// `0x1600` Receive process data, 7 bytes (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
+            /// `0x1600` Receive process data, 7 bytes (5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -6729,7 +6729,7 @@ pub mod single {
                 const MEMBERS: Members = Members::of(&[1, 3]);
             }
 
-            /// `0x1A00` Transmit process data, 7 bytes (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
+            /// `0x1A00` Transmit process data, 7 bytes (5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -6854,7 +6854,7 @@ pub mod single {
         pub mod velocity {
             use super::*;
 
-            /// `0x1600` Receive process data, 5 bytes (5.1.3.1, 7.1.1, Tab. 30, Tab. 31).
+            /// `0x1600` Receive process data, 5 bytes (5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -6908,7 +6908,7 @@ pub mod single {
                 const MEMBERS: Members = Members::of(&[1, 3]);
             }
 
-            /// `0x1A00` Transmit process data, 5 bytes (5.1.3.2, 7.1.2, Tab. 32, Tab. 33).
+            /// `0x1A00` Transmit process data, 5 bytes (5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21).
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.

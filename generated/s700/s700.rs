@@ -3585,7 +3585,7 @@ pub mod configurations {
     pub mod free_mapping {
         use super::*;
 
-        /// `0x1600` Free mapping, 6 bytes (3.6, 3.6.1).
+        /// `0x1600` Free mapping, 6 bytes (3.6.1).
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct RxPdo1600 {
             /// `0x6040:00` Controlword.
@@ -3633,7 +3633,7 @@ pub mod configurations {
             const MEMBERS: Members = Members::of(&[0, 3]);
         }
 
-        /// `0x1A00` Free mapping, 6 bytes (3.6, 3.6.1).
+        /// `0x1A00` Free mapping, 6 bytes (3.6.1).
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct TxPdo1A00 {
             /// `0x6041:00` Statusword.

@@ -6,6 +6,7 @@
 mod clocks;
 mod device;
 mod dictionary;
+mod info;
 mod node;
 mod texts;
 

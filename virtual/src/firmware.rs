@@ -2,29 +2,23 @@
 
 use std::time::Duration;
 
-use devc_runtime::esm::{AlControl, AlStatus, AlStatusCode, Areas, Configured, Lengths};
+use devc_runtime::esm::{AlControl, AlStatus, AlStatusCode, Areas, Configured};
 
 use crate::{Clocks, Event};
 
 /// The firmware of a device, as its EtherCAT subdevice controller (ESC) sees it: the controller has the memory, the
 /// sync managers and the wire; the firmware has the states, the mailbox and what process data means.
 pub trait Firmware {
-    /// A master wrote AL control. `managers` are the settings of the sync managers at that moment, in the order of their roles.
-    fn request(&mut self, control: AlControl, managers: &[Configured; 4]);
+    /// A master wrote AL control. `managers` are the settings of the sync managers at that moment, by number.
+    fn request(&mut self, control: AlControl, managers: &[Configured]);
 
     /// What a master has set of the distributed clocks, told before each request. It makes nothing of them unless it says
     /// otherwise.
     fn clocked(&mut self, _clocks: Clocks) {}
 
-    /// What the sync managers have to be: where they may lie, and the present lengths of process data. A master is told by it
-    /// what is wrong with its settings.
-    fn expected(&mut self) -> (Areas, Lengths);
-
-    /// Which sync manager each role has, in the order of settings: mailbox from and to the master, outputs, inputs. It is the
-    /// usual order unless it says otherwise; a role that there is not has a number beyond all.
-    fn numbers(&self) -> [usize; 4] {
-        [0, 1, 2, 3]
-    }
+    /// What the sync managers have to be: which there are and where they may lie, and the present bytes of process data in each,
+    /// by number. A master is told by it what is wrong with its settings.
+    fn expected(&mut self) -> (Areas, Vec<usize>);
 
     /// What AL status and AL status code show.
     fn status(&self) -> (AlStatus, AlStatusCode);
@@ -37,10 +31,10 @@ pub trait Firmware {
     /// length, 0 if there is nothing to say.
     fn more_mail(&mut self, answer: &mut [u8]) -> usize;
 
-    /// New process data from the master.
+    /// New process data from the master: what its sync managers carry, one behind the other.
     fn outputs(&mut self, image: &[u8]);
 
-    /// The process data for the master, as it is now.
+    /// The process data for the master, as it is now, for its sync managers one behind the other.
     fn inputs(&mut self, image: &mut [u8]);
 
     /// No outputs came in the time of the watchdog.
@@ -56,7 +50,7 @@ pub trait Firmware {
 }
 
 impl<F: Firmware + ?Sized> Firmware for Box<F> {
-    fn request(&mut self, control: AlControl, managers: &[Configured; 4]) {
+    fn request(&mut self, control: AlControl, managers: &[Configured]) {
         (**self).request(control, managers);
     }
 
@@ -64,12 +58,8 @@ impl<F: Firmware + ?Sized> Firmware for Box<F> {
         (**self).clocked(clocks);
     }
 
-    fn expected(&mut self) -> (Areas, Lengths) {
+    fn expected(&mut self) -> (Areas, Vec<usize>) {
         (**self).expected()
-    }
-
-    fn numbers(&self) -> [usize; 4] {
-        (**self).numbers()
     }
 
     fn status(&self) -> (AlStatus, AlStatusCode) {

@@ -14,6 +14,7 @@ mod frame;
 #[cfg(feature = "raw-socket")]
 mod interface;
 mod mail;
+mod process;
 mod subdevice;
 mod trace;
 mod wire;

@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Configured};
+use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Configured, Role};
 
 use crate::cycles::Cycles;
 use crate::esc::Controller;
 use crate::event::{Event, faults};
 use crate::frame::Datagram;
-use crate::mail;
-use crate::{Clocks, Firmware};
+use crate::process::Process;
+use crate::{Clocks, Firmware, mail};
 
 /// A subdevice: the controller on the wire, and behind it the firmware.
 ///
@@ -19,18 +19,18 @@ pub struct Subdevice<F> {
     /// The firmware.
     pub firmware: F,
     controller: Controller,
-    /// Which sync manager has which role.
-    numbers: [usize; 4],
+    /// The sync managers of mail from the master and to it; beyond all where there is none.
+    mailboxes: [usize; 2],
+    process: Process,
     /// Where it is on the wire, among how many.
     place: (usize, usize),
     /// What AL status shows.
     status: (AlStatus, AlStatusCode),
     /// The sync managers of process data as the firmware has judged them.
-    judged: [Configured; 2],
+    judged: Vec<Configured>,
     /// The last message out, for a master that did not see it; and the next one, while it is made.
     last_mail: Vec<u8>,
     draft: Vec<u8>,
-    inputs: Vec<u8>,
     cycles: Cycles,
     /// The time that the firmware has not been told of yet.
     elapsed: Duration,
@@ -40,27 +40,21 @@ impl<F: Firmware> Subdevice<F> {
     /// A subdevice with this firmware and this image in its EEPROM (ETG.1000.6, subdevice information interface).
     pub fn new(mut firmware: F, eeprom: Vec<u8>) -> Self {
         let (areas, _) = firmware.expected();
-        let mails =
-            [areas.mailbox_out, areas.mailbox_in, areas.boot_out, areas.boot_in].map(|area| (area, 1));
-        let process = [areas.outputs, areas.inputs].map(|area| (area, 3));
-        let ends = mails.into_iter().chain(process).filter_map(|(area, buffers)| {
-            let area = area?;
-            Some(u32::from(area.address) + u32::from(area.length.1) * buffers)
-        });
-        let mut controller = Controller::new(eeprom, ends.max().unwrap_or(0));
+        let mut controller = Controller::new(eeprom, end(areas));
         let status = firmware.status();
         controller.show_status(status.0, status.1);
-        let (last_mail, draft, inputs) = (Vec::new(), Vec::new(), Vec::new());
+        let (last_mail, draft) = (Vec::new(), Vec::new());
+        let mailbox = |role| areas.of(role).next().map_or(usize::MAX, |(number, _)| number);
         Self {
-            numbers: firmware.numbers(),
+            mailboxes: [Role::MailboxOut, Role::MailboxIn].map(mailbox),
+            process: Process::new(areas),
             place: (0, 1),
             firmware,
             controller,
             status,
-            judged: Default::default(),
+            judged: Vec::new(),
             last_mail,
             draft,
-            inputs,
             cycles: Cycles::default(),
             elapsed: Duration::ZERO,
         }
@@ -128,17 +122,16 @@ impl<F: Firmware> Subdevice<F> {
         self.controller.events.extend(self.firmware.take_events());
         self.follow(None);
         if self.is_exchanging() && self.is_as_judged() {
-            self.give_inputs();
+            self.process.give(&mut self.controller, &mut self.firmware);
         }
     }
 
     fn request(&mut self, control: AlControl) {
-        let managers = self.controller.settings(self.numbers);
+        let managers = self.controller.settings();
         self.firmware.clocked(self.controller.clocks());
         self.firmware.request(control, &managers);
         if !self.is_exchanging() {
-            let [_, _, outputs, inputs] = managers;
-            self.judged = [outputs, inputs];
+            self.judged = self.process.settings(&self.controller);
         }
         self.follow(Some(control));
     }
@@ -152,8 +145,7 @@ impl<F: Firmware> Subdevice<F> {
         let is_new = (status, code) != before;
         let event = match asked {
             Some(asked) if code != AlStatusCode::NONE && AlState::of(asked.number()) != state => {
-                let managers = self.controller.settings(self.numbers);
-                let faults = faults(code, self.firmware.expected(), &managers, self.numbers);
+                let faults = faults(code, self.firmware.expected(), &self.controller.settings());
                 Some(Event::Refused { asked: AlState::of(asked.number()), code, faults })
             }
             None if is_new && code != AlStatusCode::NONE => Some(Event::Fell { state, code }),
@@ -162,6 +154,7 @@ impl<F: Firmware> Subdevice<F> {
         };
         if old != state && !matches!(state, Some(AlState::SafeOperational | AlState::Operational)) {
             self.controller.stop();
+            self.process.stop();
             self.cycles.stop();
         }
         if state == Some(AlState::Init) {
@@ -173,8 +166,7 @@ impl<F: Firmware> Subdevice<F> {
     /// Takes a message and answers it, if the answer has a place; else it waits. Without a message, says what is left to say.
     fn exchange_mail(&mut self) {
         let Controller { memory, managers, events, .. } = &mut self.controller;
-        let [out, into, ..] = self.numbers;
-        let Ok([out, into]) = managers.get_disjoint_mut([out, into]) else { return };
+        let Ok([out, into]) = managers.get_disjoint_mut(self.mailboxes) else { return };
         if into.take_repeat() && !self.last_mail.is_empty() {
             into.give(memory, &self.last_mail);
             return;
@@ -204,8 +196,7 @@ impl<F: Firmware> Subdevice<F> {
     /// Whether process data is as long as the firmware expects. A master that changes a sync manager of process data has to
     /// leave Safe-Operational before.
     fn is_as_judged(&mut self) -> bool {
-        let [_, _, outputs, inputs] = self.controller.settings(self.numbers);
-        let is_as_judged = self.judged == [outputs, inputs];
+        let is_as_judged = self.judged == self.process.settings(&self.controller);
         if !is_as_judged {
             self.controller.events.push(Event::ManagersChanged);
         }
@@ -213,9 +204,7 @@ impl<F: Firmware> Subdevice<F> {
     }
 
     fn take_outputs(&mut self) {
-        let Controller { memory, managers, .. } = &mut self.controller;
-        let [_, _, outputs, _] = self.numbers;
-        if let Some(image) = managers.get_mut(outputs).and_then(|manager| manager.take(memory)) {
+        if let Some(image) = self.process.take(&mut self.controller) {
             self.firmware.outputs(image);
         }
         if let Some(at) = self.controller.outputs_at.take() {
@@ -230,16 +219,19 @@ impl<F: Firmware> Subdevice<F> {
             self.firmware.watchdog_expired();
         }
     }
+}
 
-    fn give_inputs(&mut self) {
-        let Controller { memory, managers, .. } = &mut self.controller;
-        let [_, _, _, inputs] = self.numbers;
-        if let Some(inputs) = managers.get_mut(inputs).filter(|manager| manager.is_free()) {
-            self.inputs.resize(inputs.settings().length.into(), 0);
-            self.firmware.inputs(&mut self.inputs);
-            inputs.give(memory, &self.inputs);
-        }
-    }
+/// The first address behind all sync managers at their longest: mail has one buffer, process data three.
+fn end(areas: Areas) -> u32 {
+    let managers = areas.managers.iter().map(|manager| {
+        let buffers = if matches!(manager.role, Role::Outputs | Role::Inputs) { 3 } else { 1 };
+        (manager.area, buffers)
+    });
+    let boot = areas.boot.into_iter().flatten().map(|area| (area, 1));
+    let ends = managers
+        .chain(boot)
+        .map(|(area, buffers)| u32::from(area.address) + u32::from(area.length.1) * buffers);
+    ends.max().unwrap_or(0)
 }
 
 fn state_of(status: AlStatus) -> Option<AlState> {

@@ -16,7 +16,7 @@ mod words;
 use super::change::Kind;
 use super::kinds;
 use super::place::Versions;
-use crate::model::Difference;
+use crate::model::{CheckedCode, CheckedRevision, Difference};
 use crate::text::near::near;
 
 /// What a difference is.
@@ -54,6 +54,8 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["cycle_times", rest @ ..] => timing::cycle_time(versions, rest, difference),
         ["dead_time", rest @ ..] => timing::dead_time(versions, rest, difference),
         ["ebus_current"] => transport::current(versions),
+        ["no_lrw"] if versions.new.no_lrw => &kinds::SPLIT_COMMANDS,
+        ["no_lrw"] => &kinds::JOINED_COMMANDS,
         ["diagnosis", rest @ ..] => words::message(rest, difference),
         ["words", _, rest @ ..] => words::word(rest, difference),
         ["states", rest @ ..] => machine::state(rest, difference),
@@ -131,8 +133,28 @@ fn identity(field: &str, versions: Versions<'_>) -> Option<&'static Kind> {
         "revision" if new > old => &kinds::RAISED_REVISION,
         "revision" => &kinds::LOWERED_REVISION,
         "serial" => &kinds::CHANGED_LABEL,
+        "check_product_code" | "check_revision" => accepted(field, versions),
+        "requested_id" | "id_address" => set_number(versions),
+        // Tools no longer offer the older ones; what is set up with them stays.
         _ => &kinds::CHANGED_TEXT,
     })
+}
+
+/// What a master that goes by the description accepts; nothing said is what it is set to.
+fn accepted(field: &str, versions: Versions<'_>) -> &'static Kind {
+    let accepts_any = match field {
+        "check_product_code" => versions.new.identity.check_product_code == Some(CheckedCode::None),
+        _ => versions.new.identity.check_revision == Some(CheckedRevision::None),
+    };
+    if accepts_any { &kinds::WIDENED_CHECK } else { &kinds::NARROWED_CHECK }
+}
+
+/// How a master finds the number that people set at the device.
+fn set_number(versions: Versions<'_>) -> &'static Kind {
+    let (old, new) = (&versions.old.identity, &versions.new.identity);
+    let is_lost =
+        old.requested_id && !new.requested_id || old.id_address.is_some() && old.id_address != new.id_address;
+    if is_lost { &kinds::LOST_ID } else { &kinds::FOUND_ID }
 }
 
 /// Whether something is gone, has come, or is there in both versions.

@@ -159,6 +159,9 @@ fn reason(path: &str) -> &'static str {
         _ if matches!(parent, Some("VendorSpecific" | "TwinCAT")) => "it is for the tools of one vendor",
         Some("VendorSpecific") => "it is for the tools of one vendor",
         Some("Slots") => "it is open which modules are in them",
+        Some(key) if key.to_ascii_lowercase().ends_with("parametervalue") => {
+            "it is what one node was set up with"
+        }
         _ => "descriptions have no place for it",
     }
 }

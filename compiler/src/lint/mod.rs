@@ -5,6 +5,7 @@ mod errata;
 mod images;
 mod levels;
 mod lookup;
+mod occupant;
 mod report;
 pub(crate) mod rules;
 mod sibling;

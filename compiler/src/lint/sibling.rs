@@ -1,5 +1,6 @@
 //! What rules compare between the members of a family.
 
+use super::occupant::Occupant;
 use crate::model::{Address, Device, Identity, Index, Pdo};
 
 /// A member of the family that was looked at before.
@@ -9,6 +10,8 @@ pub(crate) struct Sibling {
     pub(crate) id: String,
     pub(crate) identity: Identity,
     pub(crate) image: Image,
+    /// What is in the first slot of each of its modules.
+    pub(crate) occupants: Vec<Occupant>,
 }
 
 /// What a master sees of the process data: each PDO with the entries and bits that it carries.
@@ -17,7 +20,16 @@ pub(crate) type Image = Vec<(Index, Vec<(Option<Address>, u32)>)>;
 impl Sibling {
     /// What there is to compare of a device.
     pub(super) fn new(device: &Device) -> Self {
-        Self { id: device.id.clone(), identity: device.identity.clone(), image: image(device) }
+        let occupants = device.modules.iter().filter_map(|module| {
+            let axis = device.axes_of(module).next()?;
+            Some(Occupant::new(device, module, axis))
+        });
+        Self {
+            id: device.id.clone(),
+            identity: device.identity.clone(),
+            image: image(device),
+            occupants: occupants.collect(),
+        }
     }
 }
 

@@ -21,6 +21,12 @@ table! {
         pub check_product_code: Option<CheckedCode>,
         /// What revisions a master accepts in its place; what the master is set to if absent.
         pub check_revision: Option<CheckedRevision>,
+        /// Whether a master can ask for the number that people set at the device: it sets bit 5 of AL control, and the AL
+        /// status code is the answer (ETG.1020).
+        #[serde(default)]
+        pub requested_id: bool,
+        /// The address in the slave controller at which a master reads that number without asking.
+        pub id_address: Option<u16>,
     }
 }
 

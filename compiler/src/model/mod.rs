@@ -41,6 +41,7 @@ mod pattern;
 mod pdo;
 mod picture;
 mod place;
+mod ports;
 mod provenance;
 mod register;
 mod repetition;
@@ -97,6 +98,7 @@ pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Oversampling, Pdo};
 pub use picture::Picture;
 pub use place::Place;
+pub(crate) use ports::are_ports;
 pub use provenance::{Provenance, facts, provenance};
 pub use register::{AbortCode, AlStatusCode, Register, RegisterAccess, Telegram};
 pub(crate) use repetition::repetitions;
@@ -163,6 +165,8 @@ model! {
         pub physics: String,
         /// The current that it takes from the E-bus, in milliamperes; what it gives if negative.
         pub ebus_current: Option<i32>,
+        /// Whether masters must read and write process data with a command each, LRD and LWR instead of LRW.
+        pub no_lrw: bool,
         /// Where to read about it.
         pub url: Option<String>,
         /// Where to read about it in other languages, by language.

@@ -31,6 +31,10 @@ raw! {
         pub physics: Option<String>,
         /// The current that it takes from the E-bus, in milliamperes; what it gives if negative.
         pub ebus_current: Option<i32>,
+        /// Whether masters must read and write process data with a command each (LRD, LWR), because the device does not bear
+        /// the one that does both (LRW).
+        #[serde(default)]
+        pub no_lrw: bool,
         /// Where to read about it.
         pub url: Option<String>,
         /// Where to read about it in other languages, by language.

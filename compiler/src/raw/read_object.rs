@@ -114,19 +114,35 @@ fn with_shared(own: &Table, object: &Table) -> Table {
             None => table.members.push(shared.clone()),
         }
     }
-    table.members.extend(assumed(own, object));
+    if let Some(assumed) = assumed(own, object) {
+        table.members.retain(|member| member.key.name != assumed.key.name);
+        table.members.push(assumed);
+    }
     table
 }
 
-/// The reasons that the object's table gives for all entries, if the entry has none of its own.
+/// The reasons for what an entry says, and those of the object's table for what that says for all entries; none if the
+/// object has no reasons, or the entry one for all of it.
 fn assumed(own: &Table, object: &Table) -> Option<Member> {
-    let reasons = object.get("assumed").filter(|_| own.get("assumed").is_none())?;
-    let Value::Table(keys) = &reasons.node.value else { return Some(reasons.clone()) };
-    let mut shared = Table::clone(keys);
-    shared
-        .members
-        .retain(|reason| SHARED.contains(&&*reason.key.name) && own.get(&reason.key.name).is_none());
-    let node = Node { at: reasons.node.at, value: Value::Table(Arc::new(shared)) };
+    let reasons = object.get("assumed")?;
+    let inherited = |key: &str| SHARED.contains(&key) && own.get(key).is_none();
+    let mut all = match own.get("assumed").map(|own| &own.node.value) {
+        None if !matches!(reasons.node.value, Value::Table(_)) => return Some(reasons.clone()),
+        None => Table { at: reasons.node.at, members: Members::default() },
+        Some(Value::Table(own)) => Table::clone(own),
+        Some(_) => return None,
+    };
+    let shared: Members = match &reasons.node.value {
+        Value::Table(keys) => keys.members.clone(),
+        _ => {
+            object.members.iter().map(|said| Member { node: reasons.node.clone(), ..said.clone() }).collect()
+        }
+    };
+    let shared = shared.into_iter().filter(|reason| inherited(&reason.key.name));
+    for reason in shared.filter(|reason| all.get(&reason.key.name).is_none()).collect::<Members>() {
+        all.members.push(reason);
+    }
+    let node = Node { at: reasons.node.at, value: Value::Table(Arc::new(all)) };
     Some(Member { node, ..reasons.clone() })
 }
 

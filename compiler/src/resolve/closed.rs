@@ -5,7 +5,7 @@
 
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::Duration;
+use crate::model::{Duration, are_ports};
 use crate::raw::{RawAxes, RawDevice, RawHead, RawObject};
 use crate::source::{Location, keys};
 
@@ -19,18 +19,17 @@ pub(super) fn judge(context: &mut Context<'_>, raw: &RawDevice) {
     registers(context, raw);
 }
 
-/// The letters of the ports, `PhysicsType` in the schema of ETG.2000.
+/// The letters of the ports.
 fn physics(context: &mut Context<'_>, head: &RawHead) {
     let Some(text) = &head.physics else { return };
-    let fits = |text: &str| text.len() <= 4 && text.chars().all(|c| "YKH ".contains(c));
-    if fits(text) && !text.trim().is_empty() {
+    if are_ports(text) {
         return;
     }
     let at = head.origin.value("physics");
     let message = format!("`{text}` means nothing here");
     let label = "expected a letter for each of up to 4 ports: `Y`, `K`, `H`, or a space for none";
     let fault = Diagnostic::new(&faults::INVALID_VALUE, message, at, label);
-    let upper = Some(text.to_ascii_uppercase()).filter(|upper| upper != text && fits(upper));
+    let upper = Some(text.to_ascii_uppercase()).filter(|upper| upper != text && are_ports(upper));
     context.diagnostics.push(match upper {
         Some(upper) => fault.fix("write capital letters", at, format!("\"{upper}\"")),
         None => fault,

@@ -46,7 +46,8 @@ fn configuration(
     let inputs = assigned(context, &origin, Direction::Tx, inputs.as_deref(), basis.pdos);
     let mut mapped = Vec::new();
     for (key, entries) in &mapping {
-        mapped.extend(remapped(context, &origin, key, entries, basis.pdos, objects));
+        let remapped = remapped(context, &origin, key, entries, basis.pdos, objects);
+        mapped.extend(remapped.into_iter().map(|pdo| Pdo { source: source.clone(), ..pdo }));
     }
     let mut configuration = Configuration {
         id,

@@ -28,6 +28,8 @@ pub(super) struct Context<'a> {
     pub(super) axes: Vec<Axis>,
     pub(super) shifts: Vec<Shift>,
     pub(super) pdo_shift: u16,
+    /// The PDOs that each axis has, by that of the first.
+    pub(super) pdos_of_axes: Vec<Index>,
     pub(super) enumerations: Vec<Enumeration>,
 }
 
@@ -97,6 +99,31 @@ impl Context<'_> {
     /// Reports that there is no PDO of this index.
     pub(super) fn no_pdo(&mut self, text: &str, at: Location, label: &str) {
         self.fault(&faults::UNKNOWN_REFERENCE, format!("there is no PDO `{text}`"), at, label);
+    }
+
+    /// Reports that a list that names the PDOs of the first axis does not name one that is described.
+    pub(super) fn no_described_pdo(&mut self, text: &str, at: Location, label: &str) {
+        let Some((first, axis)) = names::index(text).and_then(|index| self.of_another_axis(index)) else {
+            return self.no_pdo(text, at, label);
+        };
+        let message =
+            format!("`{text}` is the PDO of axis `{axis}`, and that of the first axis stands for all");
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not of the first axis");
+        self.diagnostics.push(fault.help(format!("write \"{first}\" once: each axis has its own by that")));
+    }
+
+    /// That of another axis, by the PDO of the first.
+    pub(super) fn pdo_on(&self, first: Index, axis: u8) -> Index {
+        Index(first.0.wrapping_add(self.pdo_shift.wrapping_mul(axis.into())))
+    }
+
+    /// The PDO of the first axis, and the name of the axis, if a PDO is that of another axis.
+    fn of_another_axis(&self, index: Index) -> Option<(Index, &str)> {
+        let others = || self.axes.iter().skip(1);
+        self.pdos_of_axes.iter().find_map(|first| {
+            let axis = others().find(|axis| self.pdo_on(*first, axis.number) == index)?;
+            Some((*first, axis.name.as_str()))
+        })
     }
 
     /// Reports that an object lacks an entry that something refers to.

@@ -45,7 +45,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         name: head.name, names: head.names, url: head.url, urls: head.urls, vendor: head.vendor, title: head.title, about: head.about,
         image: head.image.zip(head.image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
         models: head.models, profile: head.profile, source: head.source, origin: head.origin,
-        identity, ebus_current: head.ebus_current, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
+        identity, ebus_current: head.ebus_current, no_lrw: head.no_lrw, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
         axes: context.axes.clone(), arrangement: arrangement(context, raw.axes), modules, slots: raw.slots,
         connectors: raw.connectors, leds: raw.leds,
         communication_states: sorted(raw.communication_states, |state| state.code),
@@ -84,6 +84,7 @@ fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context
         axes: axes::axes(raw.axes.as_ref()),
         shifts: Vec::new(),
         pdo_shift: raw.axes.as_ref().and_then(|axes| axes.pdo_shift).unwrap_or(0x10),
+        pdos_of_axes: pdos::of_axes(&raw.rx_pdos).chain(pdos::of_axes(&raw.tx_pdos)).collect(),
         enumerations: std::mem::take(&mut raw.enumerations),
     };
     let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));

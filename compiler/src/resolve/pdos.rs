@@ -75,8 +75,12 @@ pub(super) fn copies(context: &Context<'_>, entity: &RawPdo, index: Index) -> Ve
         return vec![(None, index)];
     }
     let axes = context.axes.iter().map(|axis| axis.number);
-    let by = |axis| context.pdo_shift.wrapping_mul(u16::from(axis));
-    axes.map(|axis| (Some(axis), Index(index.0.wrapping_add(by(axis))))).collect()
+    axes.map(|axis| (Some(axis), context.pdo_on(index, axis))).collect()
+}
+
+/// The PDOs that each axis has, by that of the first.
+pub(super) fn of_axes(raw: &[RawPdo]) -> impl Iterator<Item = Index> {
+    raw.iter().filter(|pdo| pdo.per_axis).filter_map(|pdo| names::index(&pdo.key))
 }
 
 /// The PDOs that a reference names: the PDO of the first axis stands for those of all axes.
@@ -169,7 +173,8 @@ fn excludes(
             Some((index, true)) => excludes.push(Index(index.0.wrapping_add(distance))),
             Some((index, false)) => excludes.push(index),
             None => {
-                context.no_pdo(text, origin.value(&format!("excludes.{i}")), "not a PDO of this direction");
+                let at = origin.value(&format!("excludes.{i}"));
+                context.no_described_pdo(text, at, "not a PDO of this direction");
             }
         }
     }

@@ -98,7 +98,10 @@ fn assigned(context: &mut Context<'_>, entity: &RawSyncManager, described: &[&Ra
         let pdo = described.iter().find(|pdo| names::index(&pdo.key) == index);
         match (pdo, index) {
             (Some(pdo), Some(index)) => assigned.extend(pdos::copies(context, pdo, index)),
-            _ => context.no_pdo(text, entity.origin.value(&format!("pdos.{i}")), "not described"),
+            _ => {
+                let at = entity.origin.value(&format!("pdos.{i}"));
+                context.no_described_pdo(text, at, "not described");
+            }
         }
     }
     if assigned.len() > mapped::MOST {

@@ -26,10 +26,10 @@ pub(super) fn general(device: &Device, strings: &mut Strings) -> Option<Category
     data.push(u8::from(speaks(Protocol::Eoe)));
     data.push(if speaks(Protocol::Soe) { axes } else { 0 });
     data.extend([drives, 0, flags(device)]);
-    const CURRENT: [u8; 2] = [0; 2];
-    data.extend(CURRENT);
+    data.extend(current(device).to_le_bytes());
     data.extend([group, 0]);
     data.extend(ports(&device.physics).to_le_bytes());
+    data.extend(device.identity.id_address.unwrap_or(0).to_le_bytes());
     data.resize(32, 0);
     Category::of(GENERAL, data, 0)
 }
@@ -47,10 +47,22 @@ fn coe(mailbox: &Mailbox) -> u8 {
     abilities.into_iter().filter(|(able, _)| *able).fold(SDO, |bits, (_, bit)| bits | bit)
 }
 
-/// That mail is acknowledged, as the ESI says of every mailbox.
+/// That there is no LRW, that mail is acknowledged, as the ESI says of every mailbox, and where a master finds the number that
+/// people set.
 fn flags(device: &Device) -> u8 {
-    const DATA_LINK_LAYER: u8 = 0x04;
-    if device.mailbox.is_some() { DATA_LINK_LAYER } else { 0 }
+    let flags = [
+        (device.no_lrw, 0x02),
+        (device.mailbox.is_some(), 0x04),
+        (device.identity.requested_id, 0x08),
+        (device.identity.id_address.is_some(), 0x10),
+    ];
+    flags.into_iter().filter(|(holds, _)| *holds).fold(0, |flags, (_, flag)| flags | flag)
+}
+
+/// The current from the E-bus, as far as a word can hold it.
+fn current(device: &Device) -> i16 {
+    let most = (i32::from(i16::MIN), i32::from(i16::MAX));
+    i16::try_from(device.ebus_current.unwrap_or(0).clamp(most.0, most.1)).unwrap_or(0)
 }
 
 /// Four bits for each port, the first lowest.

@@ -82,6 +82,16 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
         })
     }
 
+    /// Takes a message of another protocol, which a firmware answers itself: the counter of its answer, or none if the message is
+    /// the last one once more.
+    pub fn accept(&mut self, message: &[u8]) -> Option<u8> {
+        let is_counted = Envelope::counter(message) != 0;
+        if self.is_repeated(message) {
+            return None;
+        }
+        Some(if is_counted { self.count() } else { 0 })
+    }
+
     /// Whether a message is the last one once more. All protocols of the mailbox are counted together.
     fn is_repeated(&mut self, message: &[u8]) -> bool {
         let counter = Envelope::counter(message);

@@ -1,9 +1,7 @@
 //! The states, and what leads from one to another.
 
-use super::managers::{mailboxes, process_data};
-use super::{
-    AlControl, AlState, AlStatus, AlStatusCode, Areas, Clocked, Clocks, Configured, Lengths, Watchdog,
-};
+use super::managers::{at, mailboxes, process_data};
+use super::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Clocked, Clocks, Configured, Role, Watchdog};
 use crate::sdo::CommunicationState;
 
 /// A change of the state.
@@ -51,16 +49,12 @@ impl Application for () {}
 /// An error is shown until the master acknowledges it; up to then only ways down are taken.
 ///
 /// ```
-/// use devc_runtime::esm::{AlControl, AlState, AlStatusCode, Areas, Configured, Lengths, StateMachine};
+/// use devc_runtime::esm::{AlControl, AlState, AlStatusCode, Areas, StateMachine};
 ///
-/// let areas = Areas {
-///     mailbox_out: None, mailbox_in: None, boot_out: None, boot_in: None, outputs: None, inputs: None,
-/// };
-/// let mut machine = StateMachine::new(areas);
-/// let (managers, lengths) = ([Configured::default(); 4], Lengths { outputs: 0, inputs: 0 });
-/// machine.request(AlControl(0x08), &managers, lengths, &mut ());
+/// let mut machine = StateMachine::new(Areas::NONE);
+/// machine.request(AlControl(0x08), &[], &[], &mut ());
 /// assert_eq!((machine.status().0, machine.code()), (0x11, AlStatusCode::INVALID_CHANGE));
-/// machine.request(AlControl(0x12), &managers, lengths, &mut ());
+/// machine.request(AlControl(0x12), &[], &[], &mut ());
 /// assert_eq!((machine.state(), machine.code()), (AlState::PreOperational, AlStatusCode::NONE));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,13 +94,14 @@ impl StateMachine {
         self.code.0 != AlStatusCode::NONE.0
     }
 
-    /// Takes what a master wrote into AL control, with the settings of sync managers 0 to 3 and the present lengths of process
-    /// data; tells the change if there was one.
+    /// Takes what a master wrote into AL control; tells the change if there was one. The settings of the sync managers are by
+    /// number, and so are the bytes of process data that each carries at present:
+    /// [`Server::carried`](crate::sdo::Server::carried).
     pub fn request(
         &mut self,
         control: AlControl,
-        managers: &[Configured; 4],
-        lengths: Lengths,
+        managers: &[Configured],
+        lengths: &[usize],
         application: &mut impl Application,
     ) -> Option<Change> {
         if control.acknowledges() {
@@ -163,28 +158,38 @@ impl StateMachine {
     fn permit(
         &self,
         change: Change,
-        managers: &[Configured; 4],
-        lengths: Lengths,
+        managers: &[Configured],
+        lengths: &[usize],
         application: &impl Application,
     ) -> Result<(), AlStatusCode> {
         use AlState::{Bootstrap, Init, Operational, PreOperational, SafeOperational};
-        let Areas { mailbox_out, mailbox_in, boot_out, boot_in, .. } = self.areas;
+        let areas = self.areas;
+        let fits = |is_right: bool, fault: AlStatusCode| if is_right { Ok(()) } else { Err(fault) };
+        let mail = [Role::MailboxOut, Role::MailboxIn];
         match (change.from, change.to) {
             (Init, PreOperational) => {
-                mailboxes([mailbox_out, mailbox_in], managers, AlStatusCode::INVALID_MAILBOX)
+                let is_right = mail.into_iter().all(|role| mailboxes(areas.of(role), managers, role));
+                fits(is_right, AlStatusCode::INVALID_MAILBOX)
             }
-            (Init, Bootstrap) if boot_out.is_none() => Err(AlStatusCode::NO_BOOTSTRAP),
-            (Init, Bootstrap) => mailboxes([boot_out, boot_in], managers, AlStatusCode::INVALID_BOOT_MAILBOX),
+            (Init, Bootstrap) if areas.boot.is_none() => Err(AlStatusCode::NO_BOOTSTRAP),
+            (Init, Bootstrap) => {
+                let is_right = mail.into_iter().all(|role| mailboxes(areas.of_boot(role), managers, role));
+                fits(is_right, AlStatusCode::INVALID_BOOT_MAILBOX)
+            }
             (PreOperational, SafeOperational) => {
-                process_data(&self.areas, managers, lengths)?;
-                let [_, _, outputs, _] = managers;
+                let is_right = |role| process_data(&areas, managers, lengths, role);
+                fits(is_right(Role::Outputs), AlStatusCode::INVALID_OUTPUTS)?;
+                fits(is_right(Role::Inputs), AlStatusCode::INVALID_INPUTS)?;
+                let outputs = areas.of(Role::Outputs).map(|(number, _)| at(managers, number));
                 let is_timeless = |watchdog: Watchdog| watchdog.timeout_ns() == 0;
-                if outputs.is_on && outputs.is_watched() && application.watchdog().is_some_and(is_timeless) {
+                if outputs.into_iter().any(|outputs| outputs.is_on && outputs.is_watched())
+                    && application.watchdog().is_some_and(is_timeless)
+                {
                     return Err(AlStatusCode::INVALID_WATCHDOG);
                 }
                 application.clocks().map_or(Ok(()), |(clocks, clocked)| clocks.judge(clocked))
             }
-            (SafeOperational, Operational) if lengths.outputs > 0 && !application.has_outputs() => {
+            (SafeOperational, Operational) if has_any(areas, lengths) && !application.has_outputs() => {
                 Err(AlStatusCode::NO_VALID_OUTPUTS)
             }
             (SafeOperational, Operational)
@@ -200,6 +205,11 @@ impl StateMachine {
     }
 }
 
+/// Whether any outputs are mapped.
+fn has_any(areas: Areas, lengths: &[usize]) -> bool {
+    areas.of(Role::Outputs).any(|(number, _)| lengths.get(number).is_some_and(|length| *length > 0))
+}
+
 /// Whether a change leads to a state with less communication, which is taken whatever is wrong.
 fn is_down(change: Change) -> bool {
     use AlState::{Bootstrap, Init, Operational, PreOperational, SafeOperational};
@@ -213,17 +223,10 @@ fn is_down(change: Change) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Area, ClockMode};
+    use super::super::{ClockMode, Manager};
     use super::*;
 
-    const AREAS: Areas = Areas {
-        mailbox_out: None,
-        mailbox_in: None,
-        boot_out: None,
-        boot_in: None,
-        outputs: Some(Area { address: 0x1100, length: (0, 64) }),
-        inputs: None,
-    };
+    const AREAS: Areas = Areas { managers: &[Manager::new(Role::Outputs, 0x1100, (0, 64))], boot: None };
     const BY_SYNC0: &[ClockMode] = &[ClockMode { assign_activate: 0x0300, sync0_ns: None, sync1_ns: None }];
 
     struct Firmware {
@@ -250,11 +253,9 @@ mod tests {
     fn risen(firmware: &mut Firmware) -> (AlState, AlStatusCode) {
         let mut machine = StateMachine::new(AREAS);
         let outputs = Configured { address: 0x1100, length: 6, control: 0x64, is_on: true };
-        let managers = [Configured::default(), Configured::default(), outputs, Configured::default()];
         for state in [AlState::PreOperational, AlState::SafeOperational, AlState::Operational] {
-            let lengths = Lengths { outputs: 6, inputs: 0 };
             let control = AlControl::request(state, false);
-            if machine.request(control, &managers, lengths, firmware).is_none() {
+            if machine.request(control, &[outputs], &[6], firmware).is_none() {
                 break;
             }
         }

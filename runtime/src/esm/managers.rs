@@ -1,7 +1,5 @@
 //! What a master sets the sync managers to, against what the device needs.
 
-use super::AlStatusCode;
-
 /// Where a sync manager lies, and how long it may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Area {
@@ -11,31 +9,68 @@ pub struct Area {
     pub length: (u16, u16),
 }
 
-/// The sync managers of a device; those that it does not have are none.
+/// What a sync manager is for (ETG.1000.6, sync manager communication type).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Areas {
+pub enum Role {
     /// Mail from the master.
-    pub mailbox_out: Option<Area>,
+    MailboxOut,
     /// Mail to the master.
-    pub mailbox_in: Option<Area>,
-    /// Mail from the master in Bootstrap; none for a device that does not have the state.
-    pub boot_out: Option<Area>,
-    /// Mail to the master in Bootstrap.
-    pub boot_in: Option<Area>,
+    MailboxIn,
     /// Process data from the master.
-    pub outputs: Option<Area>,
+    Outputs,
     /// Process data to the master.
-    pub inputs: Option<Area>,
+    Inputs,
 }
 
-/// The lengths of the process data as it is mapped at present, in bytes:
-/// [`Server::image_len`](crate::sdo::Server::image_len).
+impl Role {
+    /// Whether the master writes what it carries.
+    pub const fn is_written_by_master(self) -> bool {
+        matches!(self, Self::MailboxOut | Self::Outputs)
+    }
+}
+
+/// A sync manager of a device.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Lengths {
-    /// From the master.
-    pub outputs: usize,
-    /// To the master.
-    pub inputs: usize,
+pub struct Manager {
+    /// What it is for.
+    pub role: Role,
+    /// Where it lies.
+    pub area: Area,
+}
+
+impl Manager {
+    /// A sync manager at an address, with the least and the greatest number of bytes.
+    pub const fn new(role: Role, address: u16, length: (u16, u16)) -> Self {
+        Self { role, area: Area { address, length } }
+    }
+}
+
+/// The sync managers of a device.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Areas {
+    /// All of them, by number.
+    pub managers: &'static [Manager],
+    /// Mail in Bootstrap, from the master and to it; none for a device that does not have the state.
+    pub boot: Option<[Area; 2]>,
+}
+
+impl Areas {
+    /// Of a device without any.
+    pub const NONE: Self = Self { managers: &[], boot: None };
+
+    /// The numbers of the sync managers of a role, with where they lie.
+    pub fn of(&self, role: Role) -> impl Iterator<Item = (usize, Area)> {
+        let numbered = self.managers.iter().enumerate();
+        numbered
+            .filter(move |(_, manager)| manager.role == role)
+            .map(|(number, manager)| (number, manager.area))
+    }
+
+    /// The same for mail in Bootstrap.
+    pub fn of_boot(&self, role: Role) -> impl Iterator<Item = (usize, Area)> {
+        let boot = self.boot.map(|[out, into]| if role.is_written_by_master() { out } else { into });
+        self.of(role).filter_map(move |(number, _)| Some((number, boot?)))
+    }
 }
 
 /// The eight registers of a sync manager, from 0x0800 on (ETG.1000.4, sync manager).
@@ -91,41 +126,34 @@ impl Configured {
     }
 }
 
-/// Whether a pair of mailboxes is as it should be; a device without a mailbox has nothing to judge.
+/// Whether mailboxes are as they should be; a device without a mailbox has nothing to judge.
 pub(super) fn mailboxes(
-    areas: [Option<Area>; 2],
-    configured: &[Configured; 4],
-    fault: AlStatusCode,
-) -> Result<(), AlStatusCode> {
-    let [out, into, ..] = configured;
-    let [area_out, area_in] = areas;
-    let fits = |configured: &Configured, area: Option<Area>, is_out| {
-        area.is_none_or(|area| configured.is_mailbox() && configured.is_at(area, is_out))
-    };
-    if fits(out, area_out, true) && fits(into, area_in, false) { Ok(()) } else { Err(fault) }
+    mut areas: impl Iterator<Item = (usize, Area)>,
+    configured: &[Configured],
+    role: Role,
+) -> bool {
+    areas.all(|(number, area)| {
+        let configured = at(configured, number);
+        configured.is_mailbox() && configured.is_at(area, role.is_written_by_master())
+    })
 }
 
 /// Whether the sync managers of process data are as long as what is mapped. What nothing is mapped to is off.
-pub(super) fn process_data(
-    areas: &Areas,
-    configured: &[Configured; 4],
-    lengths: Lengths,
-) -> Result<(), AlStatusCode> {
-    let [_, _, outputs, inputs] = configured;
-    let fits = |configured: &Configured, area: Option<Area>, length: usize, is_out| match (length, area) {
-        (0, _) => !configured.is_on || configured.length == 0,
-        (_, None) => false,
-        (_, Some(area)) => {
-            !configured.is_mailbox()
-                && configured.is_at(area, is_out)
-                && usize::from(configured.length) == length
+pub(super) fn process_data(areas: &Areas, configured: &[Configured], lengths: &[usize], role: Role) -> bool {
+    areas.of(role).all(|(number, area)| {
+        let configured = at(configured, number);
+        match lengths.get(number).copied().unwrap_or(0) {
+            0 => !configured.is_on || configured.length == 0,
+            length => {
+                !configured.is_mailbox()
+                    && configured.is_at(area, role.is_written_by_master())
+                    && usize::from(configured.length) == length
+            }
         }
-    };
-    if !fits(outputs, areas.outputs, lengths.outputs, true) {
-        return Err(AlStatusCode::INVALID_OUTPUTS);
-    }
-    if !fits(inputs, areas.inputs, lengths.inputs, false) {
-        return Err(AlStatusCode::INVALID_INPUTS);
-    }
-    Ok(())
+    })
+}
+
+/// The settings of a sync manager; one that the controller does not have is off.
+pub(super) fn at(configured: &[Configured], number: usize) -> Configured {
+    configured.get(number).copied().unwrap_or_default()
 }

@@ -26,6 +26,6 @@ mod watchdog;
 pub use clocks::{ClockMode, Clocked, Clocks};
 pub use code::AlStatusCode;
 pub use machine::{Application, Change, StateMachine};
-pub use managers::{Area, Areas, Configured, Lengths};
+pub use managers::{Area, Areas, Configured, Manager, Role};
 pub use registers::{AlControl, AlState, AlStatus};
 pub use watchdog::Watchdog;

@@ -26,6 +26,15 @@ impl SyncManager {
         has_pair(self.exclusive, one, other)
     }
 
+    /// How many of the PDOs that have to be there a sync manager carries, by its assignment object: those that it carries if
+    /// nobody changes it, or all where there is no other.
+    pub(crate) fn mandatory_of(&self, assignment: u16) -> usize {
+        let is_only = self.carriers.len() <= 1;
+        let mut carriers = self.carriers.iter();
+        let own = carriers.find(|carrier| carrier.assignment == assignment).map_or(&[][..], |it| it.pdos);
+        self.mandatory.iter().filter(|pdo| is_only || own.contains(pdo)).count()
+    }
+
     /// What is wrong with a PDO behind others, if anything is.
     pub(crate) const fn pair_fault(&self, mut others: &[MappedPdo], pdo: u16) -> Option<Text> {
         while let Some((other, rest)) = others.split_first() {

@@ -1,23 +1,25 @@
 //! The EtherCAT state machine of a device, against the table of ETG.1000.6, "state machine".
 
 use devc_runtime::esm::{
-    AlControl, AlState, AlStatusCode, Application, Area, Areas, Change, Configured, Lengths, StateMachine,
-    Watchdog,
+    AlControl, AlState, AlStatusCode, Application, Area, Areas, Change, Configured, Manager, Role,
+    StateMachine, Watchdog,
 };
 use devc_runtime::sdo::CommunicationState;
 
 use AlState::{Bootstrap, Init, Operational, PreOperational, SafeOperational};
 
 const AREAS: Areas = Areas {
-    mailbox_out: Some(Area { address: 0x1000, length: (16, 128) }),
-    mailbox_in: Some(Area { address: 0x1080, length: (16, 128) }),
-    boot_out: Some(Area { address: 0x1000, length: (16, 512) }),
-    boot_in: Some(Area { address: 0x1200, length: (16, 512) }),
-    outputs: Some(Area { address: 0x1100, length: (0, 64) }),
-    inputs: Some(Area { address: 0x1400, length: (0, 64) }),
+    managers: &[
+        Manager::new(Role::MailboxOut, 0x1000, (16, 128)),
+        Manager::new(Role::MailboxIn, 0x1080, (16, 128)),
+        Manager::new(Role::Outputs, 0x1100, (0, 64)),
+        Manager::new(Role::Inputs, 0x1400, (0, 64)),
+    ],
+    boot: Some([Area { address: 0x1000, length: (16, 512) }, Area { address: 0x1200, length: (16, 512) }]),
 };
 
-const LENGTHS: Lengths = Lengths { outputs: 6, inputs: 8 };
+/// Bytes of process data, by the number of the sync manager.
+const LENGTHS: [usize; 4] = [0, 0, 6, 8];
 
 const fn on(address: u16, length: u16, control: u8) -> Configured {
     Configured { address, length, control, is_on: true }
@@ -30,7 +32,7 @@ const BOOT: [Configured; 4] =
 
 fn request(machine: &mut StateMachine, to: AlState) -> AlStatusCode {
     let managers = if to == Bootstrap { BOOT } else { MANAGERS };
-    machine.request(AlControl::request(to, false), &managers, LENGTHS, &mut ());
+    machine.request(AlControl::request(to, false), &managers, &LENGTHS, &mut ());
     machine.code()
 }
 
@@ -84,10 +86,10 @@ fn only_the_changes_of_the_standard_are_made() {
 fn states_that_there_are_not_are_told_apart() {
     let mut machine = at(Init);
     for number in [0, 5, 6, 7, 9, 15] {
-        machine.request(AlControl(number), &MANAGERS, LENGTHS, &mut ());
+        machine.request(AlControl(number), &MANAGERS, &LENGTHS, &mut ());
         assert_eq!((machine.state(), machine.code().0), (Init, 0x0012), "{number}");
     }
-    let mut machine = StateMachine::new(Areas { boot_out: None, boot_in: None, ..AREAS });
+    let mut machine = StateMachine::new(Areas { boot: None, ..AREAS });
     assert_eq!(request(&mut machine, Bootstrap).0, 0x0013);
 }
 
@@ -122,20 +124,52 @@ fn sync_managers_are_judged_at_their_change() {
     ];
     for (from, to, managers, code) in cases {
         let mut machine = at(from);
-        machine.request(AlControl::request(to, false), &managers, LENGTHS, &mut ());
+        machine.request(AlControl::request(to, false), &managers, &LENGTHS, &mut ());
         assert_eq!((machine.state(), machine.code().0), (from, code), "{to:?} with {managers:?}");
     }
 }
 
 #[test]
 fn what_nothing_is_mapped_to_is_off() {
-    let none = Lengths { outputs: 0, inputs: 8 };
     for (is_on, code) in [(false, 0x0000), (true, 0x001D)] {
         let mut machine = at(PreOperational);
         let mut managers = MANAGERS;
         managers[2].is_on = is_on;
-        machine.request(AlControl(0x04), &managers, none, &mut ());
+        machine.request(AlControl(0x04), &managers, &[0, 0, 0, 8], &mut ());
         assert_eq!(machine.code().0, code);
+    }
+}
+
+/// Two sync managers from the master, and two to it, the second before the first of the other direction: each has to be as long
+/// as what is mapped to it, and the one that is wrong gives the code of its direction.
+#[test]
+fn each_sync_manager_of_a_direction_is_judged() {
+    const FOUR: Areas = Areas {
+        managers: &[
+            Manager::new(Role::Outputs, 0x1100, (0, 16)),
+            Manager::new(Role::Inputs, 0x1200, (0, 16)),
+            Manager::new(Role::Outputs, 0x1300, (0, 16)),
+            Manager::new(Role::Inputs, 0x1400, (0, 16)),
+        ],
+        boot: None,
+    };
+    let right = [on(0x1100, 6, 0x64), on(0x1200, 8, 0x20), on(0x1300, 2, 0x24), on(0x1400, 4, 0x20)];
+    let code = |managers: [Configured; 4], lengths: [usize; 4]| {
+        let mut machine = StateMachine::new(FOUR);
+        machine.request(AlControl(0x02), &managers, &lengths, &mut ());
+        machine.request(AlControl(0x04), &managers, &lengths, &mut ());
+        machine.code().0
+    };
+    assert_eq!(code(right, [6, 8, 2, 4]), 0);
+    for (number, expected) in [(0, 0x001D), (1, 0x001E), (2, 0x001D), (3, 0x001E)] {
+        let mut managers = right;
+        managers[number].length += 1;
+        assert_eq!(code(managers, [6, 8, 2, 4]), expected, "{number} is too long");
+        managers[number] = Configured { is_on: false, ..right[number] };
+        assert_eq!(code(managers, [6, 8, 2, 4]), expected, "{number} is off");
+        let mut lengths = [6, 8, 2, 4];
+        lengths[number] = 0;
+        assert_eq!(code(managers, lengths), 0, "nothing is mapped to {number}");
     }
 }
 
@@ -147,11 +181,11 @@ fn an_error_is_shown_until_it_is_acknowledged() {
     // a way up is not taken before
     assert_eq!(request(&mut machine, SafeOperational).0, 0x0011);
     assert_eq!(machine.status().0, 0x12);
-    machine.request(AlControl(0x12), &MANAGERS, LENGTHS, &mut ());
+    machine.request(AlControl(0x12), &MANAGERS, &LENGTHS, &mut ());
     assert_eq!((machine.status().0, machine.code().0), (0x02, 0));
     // and both at once
     assert_eq!(request(&mut machine, Operational).0, 0x0011);
-    machine.request(AlControl(0x14), &MANAGERS, LENGTHS, &mut ());
+    machine.request(AlControl(0x14), &MANAGERS, &LENGTHS, &mut ());
     assert_eq!((machine.status().0, machine.code().0), (0x04, 0));
 }
 
@@ -198,14 +232,14 @@ fn the_firmware_has_a_say_on_the_way_up() {
     let mut firmware =
         Firmware { refuses: AlStatusCode::INVALID_CYCLE, has_outputs: false, told: Vec::new() };
     let mut machine = at(PreOperational);
-    machine.request(AlControl(0x04), &MANAGERS, LENGTHS, &mut firmware);
+    machine.request(AlControl(0x04), &MANAGERS, &LENGTHS, &mut firmware);
     assert_eq!((machine.status().0, machine.code().0), (0x12, 0x0035));
     let mut machine = at(SafeOperational);
-    machine.request(AlControl(0x08), &MANAGERS, LENGTHS, &mut firmware);
+    machine.request(AlControl(0x08), &MANAGERS, &LENGTHS, &mut firmware);
     assert_eq!((machine.status().0, machine.code().0), (0x14, 0x0019));
     // down it goes whatever the firmware says
     let mut machine = at(Operational);
-    machine.request(AlControl(0x01), &MANAGERS, LENGTHS, &mut firmware);
+    machine.request(AlControl(0x01), &MANAGERS, &LENGTHS, &mut firmware);
     assert_eq!((machine.state(), machine.code().0), (Init, 0x0035));
     let told = [(PreOperational, SafeOperational), (Operational, Init)];
     assert_eq!(firmware.told, told.map(|(from, to)| Change { from, to }));

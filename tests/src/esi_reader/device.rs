@@ -2,6 +2,7 @@
 
 use super::clocks::{self, OpMode};
 use super::dictionary::{self, Dictionary};
+use super::info::{set_number, timeouts};
 use super::node::{
     Node, attribute, bytes, children, content, english, flag, number, only, optional, optional_english,
     optional_number, optional_text, text,
@@ -33,6 +34,10 @@ pub struct Device {
     pub translations: Vec<(String, u16, String)>,
     /// The current from the E-bus, in milliamperes.
     pub ebus_current: Option<i32>,
+    /// Whether masters must not use LRW.
+    pub no_lrw: Option<u8>,
+    /// Where the number is that people set: an address, and whether the AL status code has it.
+    pub set_number: (Option<u16>, Option<String>),
     /// The messages of its diagnosis history.
     pub messages: Vec<Message>,
     /// The type of its group.
@@ -189,6 +194,8 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
             .and_then(|info| only(info, "Electrical").ok())
             .map(|it| number(it, "EBusCurrent"))
             .transpose()?,
+        no_lrw: attribute(kind, "UseLrdLwr")?,
+        set_number: set_number(node)?,
         messages: messages(profile)?,
         group: text(node, "GroupType")?,
         profile: (optional_number(profile, "ProfileNo")?, optional_number(profile, "AddInfo")?),
@@ -272,14 +279,6 @@ fn init_command(node: Node<'_, '_>) -> Result<InitCommand, String> {
         address: (number(node, "Index")?, number(node, "SubIndex")?),
         data: bytes(only(node, "Data")?)?,
     })
-}
-
-/// All numbers that stand in a `Timeout` of `Info`.
-fn timeouts(node: Node<'_, '_>) -> Result<Vec<(String, u32)>, String> {
-    let Some(info) = optional(node, "Info")? else { return Ok(Vec::new()) };
-    let timeouts = info.descendants().filter(|it| it.has_tag_name("Timeout"));
-    let times = timeouts.flat_map(|timeout| timeout.children().filter(Node::is_element));
-    times.map(|time| Ok((time.tag_name().name().to_owned(), super::node::value(time)?))).collect()
 }
 
 fn abilities(node: Node<'_, '_>) -> CoE {

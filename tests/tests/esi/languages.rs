@@ -43,6 +43,13 @@ fn messages_are_named_by_their_text_ids() {
 }
 
 #[test]
+fn which_commands_a_master_uses_and_where_it_finds_the_number_that_people_set() {
+    let device = &corners().esi.devices[0];
+    assert_eq!(device.no_lrw, Some(1));
+    assert_eq!(device.set_number, (Some(0x12), Some("true".to_owned())));
+}
+
+#[test]
 fn the_current_from_the_e_bus_is_in_milliamperes() {
     assert_eq!(corners().esi.devices[0].ebus_current, Some(-2000));
 }

@@ -44,6 +44,10 @@ pub(crate) fn of(device: Node<'_, '_>) -> Facts {
     in_languages(device, "URL", "url", &mut facts);
     let electrical = find(device, "Info").and_then(|it| find(it, "Electrical"));
     facts.number("e-bus", electrical.and_then(|it| text_in(it, "EBusCurrent")), &whole);
+    for said in ["IdentificationAdo", "IdentificationReg134"] {
+        facts.text(said, find(device, "Info").and_then(|it| text_in(it, said)), &whole);
+    }
+    facts.text("UseLrdLwr", kind.attribute("UseLrdLwr").map(str::to_owned), &whole);
     facts.text("type", Some(content(kind)), &whole);
     facts.number("product", kind.attribute("ProductCode").map(str::to_owned), &whole);
     facts.number("revision", kind.attribute("RevisionNo").map(str::to_owned), &whole);

@@ -13,6 +13,7 @@ mod kinds;
 mod languages;
 mod modules;
 mod objects;
+mod oddities;
 mod own_sheets;
 mod round_trip;
 mod sdos;

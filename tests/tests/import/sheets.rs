@@ -224,3 +224,20 @@ fn what_is_no_sheet_is_refused_with_its_place() {
     let refusal = refusal.expect_err("no sheet");
     assert_eq!(refusal.place, Some((3, 1)));
 }
+
+/// A semicolon within a word is part of it; what a configured sheet (DCF) adds, and what depends on a node, are no facts
+/// of the device, and the report says so.
+#[test]
+fn what_is_of_a_node_and_not_of_the_device_is_said() {
+    let sheet =
+        SHEET.replace("ParameterName=Identity", "ParameterName=Identity;set ; of all\nParameterValue=3");
+    let imported = import(sheet.as_bytes(), "drive.eds", &Choice::default()).expect("a description");
+    let toml: String = imported.files.values().map(String::as_str).collect();
+    assert!(toml.contains("name = \"Identity;set\""), "{toml}");
+    let whys: Vec<&str> = imported.report.notes.iter().map(|note| note.why.as_str()).collect();
+    assert!(whys.contains(&"it is what one node was set up with"), "{whys:?}");
+    assert!(
+        whys.iter().any(|why| why.ends_with("it depends on the number of a node of CANopen")),
+        "{whys:?}"
+    );
+}

@@ -2,6 +2,8 @@
 
 #![cfg(test)]
 
+mod provenance;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,6 +54,14 @@ fn between<'a>(text: &'a str, open: &'a str, close: char) -> impl Iterator<Item 
 fn reference(family: &Checked<Family>) -> String {
     let files = Markdown.emit(family, &devc::emit::Options::default());
     files.text(".md").expect("a reference").to_owned()
+}
+
+/// The reference of a description with next to nothing but this.
+fn described(text: &str) -> String {
+    let loader = Memory::new().with("/bare/device.toml", format!("{BARE}{text}"));
+    let compilation = devc::compile(&loader, Path::new("/bare"));
+    let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
+    reference(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")))
 }
 
 #[test]
@@ -197,10 +207,7 @@ fn the_sums_of_the_c887_are_those_of_its_manual() {
 
 #[test]
 fn what_is_empty_vanishes_with_its_line_of_the_contents() {
-    let loader = Memory::new().with("/bare/device.toml", BARE);
-    let compilation = devc::compile(&loader, Path::new("/bare"));
-    let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
-    let text = reference(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));
+    let text = described("");
     let chapters: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
     assert!(chapters.contains(&"## <a id=\"device\"></a>Device"), "{text}");
     assert!(!text.contains("Modes of operation") && !text.contains("Errors"), "{text}");
@@ -226,10 +233,7 @@ quantity = \"torque\"
 symbol = \"%\"
 raw-per-unit = 10
 ";
-    let loader = Memory::new().with("/scaled/device.toml", format!("{BARE}{objects}"));
-    let compilation = devc::compile(&loader, Path::new("/scaled"));
-    let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
-    let text = reference(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));
+    let text = described(objects);
     assert!(text.contains("`-4000` to `4000` (−400 to 400 %)"), "{text}");
     assert!(text.contains("`1005` (100.5 %)"), "{text}");
 }

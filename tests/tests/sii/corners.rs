@@ -52,13 +52,16 @@ fn general_information_has_its_places() {
     assert_eq!((picture, reserved, data[14]), (0, 0, group));
     // SDO, information, assignment, configuration, complete access
     assert_eq!(data[5], 0x01 | 0x02 | 0x04 | 0x08 | 0x20);
-    // FoE, EoE, a channel of SoE and one of DS402 for each of two axes, system manager, mail is acknowledged
-    assert_eq!(data[6..12], [1, 1, 2, 2, 0, 0x04]);
-    // nothing drawn from the E-bus
-    assert_eq!(data[12..14], [0, 0]);
+    // FoE, EoE, a channel of SoE and one of DS402 for each of two axes, system manager, no LRW, mail is acknowledged,
+    // identification by AL status and by memory
+    assert_eq!(data[6..12], [1, 1, 2, 2, 0, 0x02 | 0x04 | 0x08 | 0x10]);
+    // 2 mA given to the E-bus
+    assert_eq!(data[12..14], [0xFE, 0xFF]);
     // 100BASE-TX, E-bus, no port, hot connect: four bits each from the lowest
     assert_eq!(data[16..18], [0x31, 0x40]);
-    assert_eq!(data[18..], [0; 14]);
+    // where the identification is read
+    assert_eq!(data[18..20], [0x12, 0]);
+    assert_eq!(data[20..], [0; 12]);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use devc_runtime::esm::Role;
 use devc_virtual::Wire;
 use devc_virtual::drive::Drive;
 
@@ -29,22 +30,26 @@ pub(crate) fn bring_to_operational(wire: &mut Wire<Drive>) -> (usize, usize) {
         wire.pass(&mut frame);
         wire.advance(PERIOD);
     };
-    let (outputs, inputs) = (lengths.outputs as u16, lengths.inputs as u16);
-    let mail =
-        |area: Option<devc_runtime::esm::Area>| area.map_or((0, 0), |area| (area.address, area.length.1));
-    let address = |area: Option<devc_runtime::esm::Area>| area.map_or(0, |area| area.address);
+    let of = |role| {
+        areas
+            .of(role)
+            .next()
+            .map_or((0, 0, 0), |(number, area)| (area.address, area.length.1, lengths[number] as u16))
+    };
+    let [out, into, outputs, inputs] =
+        [Role::MailboxOut, Role::MailboxIn, Role::Outputs, Role::Inputs].map(of);
     let managers = [
-        (mail(areas.mailbox_out), 0x26),
-        (mail(areas.mailbox_in), 0x22),
-        ((address(areas.outputs), outputs), 0x64),
-        ((address(areas.inputs), inputs), 0x20),
+        ((out.0, out.1), 0x26),
+        ((into.0, into.1), 0x22),
+        ((outputs.0, outputs.2), 0x64),
+        ((inputs.0, inputs.2), 0x20),
     ];
     write(0x0010, &[0x01, 0x10]);
     for (number, ((address, length), control)) in (0_u16..).zip(managers) {
         let ([a, b], [c, d]) = (address.to_le_bytes(), length.to_le_bytes());
         write(0x0800 + 8 * number, &[a, b, c, d, control, 0, 1, 0]);
     }
-    let fmmus = [(0, outputs, address(areas.outputs), 2), (outputs, inputs, address(areas.inputs), 1)];
+    let fmmus = [(0, outputs.2, outputs.0, 2), (outputs.2, inputs.2, inputs.0, 1)];
     for (number, (logical, length, address, kind)) in (0_u16..).zip(fmmus) {
         let [a, b] = logical.to_le_bytes();
         let ([c, d], [e, f]) = (length.to_le_bytes(), address.to_le_bytes());
@@ -52,9 +57,9 @@ pub(crate) fn bring_to_operational(wire: &mut Wire<Drive>) -> (usize, usize) {
     }
     write(0x0120, &[2, 0]);
     write(0x0120, &[4, 0]);
-    write(address(areas.outputs), &vec![0; lengths.outputs]);
+    write(outputs.0, &vec![0; outputs.2.into()]);
     write(0x0120, &[8, 0]);
-    (lengths.outputs, lengths.inputs)
+    (outputs.2.into(), inputs.2.into())
 }
 
 /// An Ethernet frame with these datagrams: command, address, data.

@@ -2,25 +2,25 @@
 
 use std::time::Duration;
 
-use devc_runtime::coe::MailboxError;
-use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Change, Configured, Lengths};
-use devc_runtime::pdo::{Rx, Tx};
+use devc::model;
+use devc_runtime::coe::{MailboxError, Protocol};
+use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Change, Configured};
 
-use super::Drive;
 use super::application::Application;
 use super::effects::Effect;
 use super::stored::Order;
+use super::{Drive, MANAGERS, files};
 use crate::{Clocks, Event, Firmware};
 
 impl Firmware for Drive {
-    fn request(&mut self, control: AlControl, managers: &[Configured; 4]) {
+    fn request(&mut self, control: AlControl, managers: &[Configured]) {
         let lengths = self.lengths();
         let mut application = Application {
             has_outputs: self.outputs.is_some(),
             clocks: self.facts.clocks.judge(self.clocks),
             are_signals_missed: self.clocks.are_missed,
         };
-        let change = self.states.request(control, managers, lengths, &mut application);
+        let change = self.states.request(control, managers, &lengths, &mut application);
         self.changed(change);
     }
 
@@ -28,12 +28,8 @@ impl Firmware for Drive {
         self.clocks = clocks;
     }
 
-    fn expected(&mut self) -> (Areas, Lengths) {
-        (self.facts.areas, self.lengths())
-    }
-
-    fn numbers(&self) -> [usize; 4] {
-        self.facts.numbers
+    fn expected(&mut self) -> (Areas, Vec<usize>) {
+        (self.facts.areas, self.lengths().to_vec())
     }
 
     fn status(&self) -> (AlStatus, AlStatusCode) {
@@ -41,11 +37,13 @@ impl Firmware for Drive {
     }
 
     fn mail(&mut self, message: &[u8], answer: &mut [u8]) -> usize {
+        let protocol = message.get(5).map_or(Protocol::COE, |last| Protocol(last & 0x0F));
         match (self.states.communication(), self.states.state()) {
-            (Some(state), _) => self.mailbox.answer(message, state, answer),
-            // there is no new firmware to be taken for a drive that is none
-            (None, AlState::Bootstrap) => MailboxError::UNSUPPORTED_PROTOCOL.encode(0, answer).unwrap_or(0),
-            (None, _) => 0,
+            (Some(state), _) if protocol == Protocol::COE && self.facts.speaks(model::Protocol::Coe) => {
+                self.mailbox.answer(message, state, answer)
+            }
+            (None, state) if state != AlState::Bootstrap => 0,
+            _ => self.refuse(protocol, message, answer),
         }
     }
 
@@ -89,9 +87,25 @@ impl Firmware for Drive {
 }
 
 impl Drive {
-    fn lengths(&mut self) -> Lengths {
-        let server = &mut self.mailbox.server;
-        Lengths { outputs: server.image_len::<Rx>(), inputs: server.image_len::<Tx>() }
+    /// Answers a message of a protocol that the drive does not serve; tells the length of the answer.
+    fn refuse(&mut self, protocol: Protocol, message: &[u8], answer: &mut [u8]) -> usize {
+        let Some(counter) = self.mailbox.accept(message) else { return 0 };
+        let error = if protocol == Protocol::FOE && self.facts.speaks(model::Protocol::Foe) {
+            let content = message.split_first_chunk().and_then(|([low, high], rest)| {
+                rest.get(4..)?.get(..u16::from_le_bytes([*low, *high]).into())
+            });
+            match files::refuse(content.unwrap_or_default(), counter, answer) {
+                Some(length) => return length,
+                None => MailboxError::TOO_SHORT,
+            }
+        } else {
+            MailboxError::UNSUPPORTED_PROTOCOL
+        };
+        error.encode(counter, answer).unwrap_or(0)
+    }
+
+    fn lengths(&mut self) -> [usize; MANAGERS] {
+        self.mailbox.server.carried()
     }
 
     /// What a change of the EtherCAT state brings with it.

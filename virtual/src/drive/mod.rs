@@ -30,6 +30,7 @@ mod control;
 mod dictionary;
 mod effects;
 mod errors;
+mod files;
 mod firmware;
 mod forever;
 mod machine;
@@ -57,6 +58,9 @@ use crate::{Clocks, Event};
 
 /// Bytes of the longest value that a master may write in segments.
 pub const LONGEST_DOWNLOAD: usize = 2048;
+
+/// How many sync managers a controller can have (ETG.1000.4).
+const MANAGERS: usize = 16;
 
 /// The code of a drive whose master is gone, if the description has it (IEC 61800-7-201, error codes), else the first.
 const MASTER_LOST: [u16; 2] = [0x8100, 0x7500];

@@ -1,6 +1,6 @@
 //! What of a description the firmware of a drive runs on, made once.
 
-use devc::model::Device;
+use devc::model::{Device, Protocol};
 use devc_runtime::cia402::{Coupling, Machine};
 use devc_runtime::esm::Areas;
 use devc_runtime::object::Address;
@@ -28,8 +28,8 @@ pub(super) struct Facts {
     pub(super) tables: &'static Tables,
     pub(super) machine: &'static Machine,
     pub(super) areas: Areas,
-    /// The sync managers that have them.
-    pub(super) numbers: [usize; 4],
+    /// The protocols of the mailbox; CoE where nothing is said of it.
+    protocols: Vec<Protocol>,
     pub(super) axes: Vec<AxisModel>,
     /// Whether the axes have one state, and the first commands all.
     pub(super) is_coupled: bool,
@@ -43,6 +43,13 @@ pub(super) struct Facts {
     pub(super) parameters: Parameters,
 }
 
+impl Facts {
+    /// Whether the description names a protocol of the mailbox.
+    pub(super) fn speaks(&self, protocol: Protocol) -> bool {
+        self.protocols.contains(&protocol)
+    }
+}
+
 impl Model {
     /// Makes the model of a device.
     pub fn new(device: &Device) -> Self {
@@ -53,7 +60,7 @@ impl Model {
             tables,
             machine,
             areas: areas::areas(device),
-            numbers: areas::numbers(device),
+            protocols: device.mailbox.as_ref().map_or_else(|| vec![Protocol::Coe], |it| it.protocols.clone()),
             axes: axes.collect(),
             is_coupled: machine.transitions.iter().any(|one| one.coupling != Coupling::Independent),
             error_register: Number::find(&tables.dictionary, ERROR_REGISTER),

@@ -97,9 +97,9 @@ impl Controller {
         self.memory.put(at::AL_STATUS_CODE, &code.0.to_le_bytes());
     }
 
-    /// The settings of some sync managers; one that there is not is off.
-    pub(crate) fn settings(&self, numbers: [usize; 4]) -> [Configured; 4] {
-        numbers.map(|number| self.managers.get(number).map(SyncManager::settings).unwrap_or_default())
+    /// The settings of the sync managers, by number.
+    pub(crate) fn settings(&self) -> [Configured; at::COUNT as usize] {
+        self.managers.each_ref().map(SyncManager::settings)
     }
 
     /// What is in the EEPROM.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use devc_runtime::esm::{AlStatusCode, Area, Areas, Configured, Lengths};
+use devc_runtime::esm::{AlStatusCode, Area, Areas, Configured, Role};
 
 /// A sync manager that is not set as the device needs it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -65,42 +65,51 @@ impl fmt::Display for ManagerFault {
     }
 }
 
-/// Bits 0 to 3 of control bytes: mailboxes and buffers, to and from the device.
-const MAIL_OUT: u8 = 0x6;
-const MAIL_IN: u8 = 0x2;
-const OUTPUTS: u8 = 0x4;
-const INPUTS: u8 = 0x0;
+/// Bits 0 to 3 of a control byte: mailboxes and buffers, to and from the device.
+const fn control(role: Role) -> u8 {
+    match role {
+        Role::MailboxOut => 0x6,
+        Role::MailboxIn => 0x2,
+        Role::Outputs => 0x4,
+        Role::Inputs => 0x0,
+    }
+}
 
 /// What is wrong with the sync managers that a refusal is about.
 pub(crate) fn faults(
     code: AlStatusCode,
-    (areas, lengths): (Areas, Lengths),
-    managers: &[Configured; 4],
-    numbers: [usize; 4],
+    (areas, lengths): (Areas, Vec<usize>),
+    managers: &[Configured],
 ) -> Vec<ManagerFault> {
-    let [mail_out, mail_in, outputs, inputs] = managers;
-    let exact = |area: Option<Area>, length: usize| {
-        let length = u16::try_from(length).unwrap_or(u16::MAX);
-        area.map(|area| Area { length: (length, length), ..area })
+    let mail = [Role::MailboxOut, Role::MailboxIn].into_iter();
+    let numbered = |role: Role, areas: Vec<(usize, Area)>| {
+        areas.into_iter().map(|(number, area)| (number, area, control(role))).collect::<Vec<_>>()
     };
-    let judged = match code {
+    let judged: Vec<(usize, Area, u8)> = match code {
         AlStatusCode::INVALID_MAILBOX => {
-            vec![(0, areas.mailbox_out, mail_out, MAIL_OUT), (1, areas.mailbox_in, mail_in, MAIL_IN)]
+            mail.flat_map(|role| numbered(role, areas.of(role).collect())).collect()
         }
         AlStatusCode::INVALID_BOOT_MAILBOX => {
-            vec![(0, areas.boot_out, mail_out, MAIL_OUT), (1, areas.boot_in, mail_in, MAIL_IN)]
+            mail.flat_map(|role| numbered(role, areas.of_boot(role).collect())).collect()
         }
-        AlStatusCode::INVALID_OUTPUTS => {
-            vec![(2, exact(areas.outputs, lengths.outputs), outputs, OUTPUTS)]
-        }
-        AlStatusCode::INVALID_INPUTS => vec![(3, exact(areas.inputs, lengths.inputs), inputs, INPUTS)],
+        AlStatusCode::INVALID_OUTPUTS => numbered(Role::Outputs, exact(areas, &lengths, Role::Outputs)),
+        AlStatusCode::INVALID_INPUTS => numbered(Role::Inputs, exact(areas, &lengths, Role::Inputs)),
         _ => Vec::new(),
     };
-    let faults = judged.into_iter().filter_map(|(manager, area, found, control)| {
-        let manager = numbers.get(manager).copied()?;
-        Some(ManagerFault { manager, wrong: wrong(area?, found, control)? })
+    let faults = judged.into_iter().filter_map(|(manager, area, control)| {
+        let found = managers.get(manager).copied().unwrap_or_default();
+        Some(ManagerFault { manager, wrong: wrong(area, &found, control)? })
     });
     faults.collect()
+}
+
+/// Sync managers of process data are as long as what is mapped.
+fn exact(areas: Areas, lengths: &[usize], role: Role) -> Vec<(usize, Area)> {
+    let exact = areas.of(role).map(|(number, area)| {
+        let length = u16::try_from(lengths.get(number).copied().unwrap_or(0)).unwrap_or(u16::MAX);
+        (number, Area { length: (length, length), ..area })
+    });
+    exact.collect()
 }
 
 fn wrong(area: Area, found: &Configured, control: u8) -> Option<Wrong> {

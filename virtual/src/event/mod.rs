@@ -54,6 +54,11 @@ pub enum Event {
         /// Why.
         error: MailboxError,
     },
+    /// A file was refused, which a master wrote or asked for.
+    FileRefused {
+        /// Why, by the codes of FoE (ETG.1000.6).
+        code: u32,
+    },
     /// A register was written that a master cannot write, or not now.
     NotWritable {
         /// The first address.
@@ -128,6 +133,7 @@ impl fmt::Display for Event {
             Self::MailRefused { error: MailboxError(code) } => {
                 write!(f, "cannot read a mailbox message: error {code} of ETG.1000.4, mailbox error reply")
             }
+            Self::FileRefused { code } => write!(f, "refuses a file: error 0x{code:04X} of ETG.1000.6, FoE"),
             Self::NotWritable { address } => {
                 write!(f, "register 0x{address:04X} was written, which cannot be written now")
             }

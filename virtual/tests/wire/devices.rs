@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use devc::source::Disk;
 use devc_generated::{c887, pmc_sc6, s700};
 use devc_runtime::Device as Identity;
-use devc_runtime::esm::{Area, Areas};
+use devc_runtime::esm::{Areas, Manager, Role};
 use devc_virtual::drive::{Drive, Model};
 use devc_virtual::{Firmware, Subdevice};
 
@@ -35,17 +35,16 @@ impl Device {
 }
 
 fn areas(mail: [(u16, u16); 2], outputs: (u16, u16), inputs: (u16, u16)) -> Areas {
-    let exact = |(address, length): (u16, u16)| Some(Area { address, length: (length, length) });
-    let up_to = |(address, length): (u16, u16)| Some(Area { address, length: (0, length) });
+    let exact = |role, (address, length): (u16, u16)| Manager::new(role, address, (length, length));
+    let up_to = |role, (address, length): (u16, u16)| Manager::new(role, address, (0, length));
     let [out, into] = mail;
-    Areas {
-        mailbox_out: exact(out),
-        mailbox_in: exact(into),
-        boot_out: None,
-        boot_in: None,
-        outputs: up_to(outputs),
-        inputs: up_to(inputs),
-    }
+    let managers = [
+        exact(Role::MailboxOut, out),
+        exact(Role::MailboxIn, into),
+        up_to(Role::Outputs, outputs),
+        up_to(Role::Inputs, inputs),
+    ];
+    Areas { managers: managers.to_vec().leak(), boot: None }
 }
 
 macro_rules! device {

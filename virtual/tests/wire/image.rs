@@ -1,6 +1,6 @@
 //! EEPROM images for tests, written after ETG.1000.6 and ETG.2010: what a master needs to find a device.
 
-use devc_runtime::esm::{Area, Areas};
+use devc_runtime::esm::{Area, Areas, Manager};
 
 /// The image of a device with a CoE mailbox.
 pub(crate) fn of(name: &str, identity: [u32; 3], areas: &Areas, lengths: (usize, usize)) -> Vec<u8> {
@@ -11,8 +11,9 @@ pub(crate) fn of(name: &str, identity: [u32; 3], areas: &Areas, lengths: (usize,
     for (number, place) in identity.iter().zip((16..).step_by(4)) {
         image[place..place + 4].copy_from_slice(&number.to_le_bytes());
     }
-    for (area, place) in [areas.mailbox_out, areas.mailbox_in].into_iter().zip([0x30, 0x34]) {
-        let Area { address, length: (_, length) } = area.unwrap();
+    let [out, into, outputs, inputs] = *areas.managers else { panic!("four sync managers") };
+    for (manager, place) in [out, into].into_iter().zip([0x30, 0x34]) {
+        let Area { address, length: (_, length) } = manager.area;
         image[place..place + 2].copy_from_slice(&address.to_le_bytes());
         image[place + 2..place + 4].copy_from_slice(&length.to_le_bytes());
     }
@@ -27,10 +28,10 @@ pub(crate) fn of(name: &str, identity: [u32; 3], areas: &Areas, lengths: (usize,
     (general[2], general[3], general[5], general[11]) = (1, 1, 0x1F, 1);
     general[16] = 0x11;
     let managers = [
-        manager(areas.mailbox_out, None, 0x26, 1),
-        manager(areas.mailbox_in, None, 0x22, 2),
-        manager(areas.outputs, Some(lengths.0), 0x64, 3),
-        manager(areas.inputs, Some(lengths.1), 0x20, 4),
+        manager(out, None, 0x26, 1),
+        manager(into, None, 0x22, 2),
+        manager(outputs, Some(lengths.0), 0x64, 3),
+        manager(inputs, Some(lengths.1), 0x20, 4),
     ];
     category(&mut image, 10, &strings);
     category(&mut image, 30, &general);
@@ -40,8 +41,8 @@ pub(crate) fn of(name: &str, identity: [u32; 3], areas: &Areas, lengths: (usize,
     image
 }
 
-fn manager(area: Option<Area>, length: Option<usize>, control: u8, kind: u8) -> [u8; 8] {
-    let Area { address, length: (_, longest) } = area.unwrap();
+fn manager(manager: Manager, length: Option<usize>, control: u8, kind: u8) -> [u8; 8] {
+    let Area { address, length: (_, longest) } = manager.area;
     let [address_low, address_high] = address.to_le_bytes();
     let [low, high] = length.map_or(longest, |length| length as u16).to_le_bytes();
     [address_low, address_high, low, high, control, 0, 1, kind]

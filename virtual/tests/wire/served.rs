@@ -4,9 +4,8 @@ use std::time::Duration;
 
 use devc_runtime::coe::Mailbox;
 use devc_runtime::esm::{
-    AlControl, AlState, AlStatus, AlStatusCode, Application, Areas, Change, Configured, Lengths, StateMachine,
+    AlControl, AlState, AlStatus, AlStatusCode, Application, Areas, Change, Configured, StateMachine,
 };
-use devc_runtime::pdo::{Rx, Tx};
 use devc_runtime::sdo::{Names, Server, Values};
 use devc_virtual::Firmware;
 
@@ -44,23 +43,22 @@ impl<V: Values> Served<V> {
         Self { mailbox, machine: StateMachine::new(areas), areas, application: Outputs::default() }
     }
 
-    fn lengths(&mut self) -> Lengths {
-        let server = &mut self.mailbox.server;
-        Lengths { outputs: server.image_len::<Rx>(), inputs: server.image_len::<Tx>() }
+    fn lengths(&mut self) -> [usize; 4] {
+        self.mailbox.server.carried()
     }
 }
 
 impl<V: Values> Firmware for Served<V> {
-    fn request(&mut self, control: AlControl, managers: &[Configured; 4]) {
+    fn request(&mut self, control: AlControl, managers: &[Configured]) {
         let lengths = self.lengths();
-        let change = self.machine.request(control, managers, lengths, &mut self.application);
+        let change = self.machine.request(control, managers, &lengths, &mut self.application);
         if change.is_some_and(|change| change.from == AlState::Init) {
             self.mailbox.restart();
         }
     }
 
-    fn expected(&mut self) -> (Areas, Lengths) {
-        (self.areas, self.lengths())
+    fn expected(&mut self) -> (Areas, Vec<usize>) {
+        (self.areas, self.lengths().to_vec())
     }
 
     fn status(&self) -> (AlStatus, AlStatusCode) {

@@ -60,6 +60,15 @@ kinds! { Compatible:
     /// The mailbox can do more, or there is one.
     ADDED_ABILITY = "added-ability", "the mailbox can do more";
 
+    /// Masters accept more devices in place of this one.
+    WIDENED_CHECK = "widened-check", "masters accept more devices in its place";
+
+    /// A master finds the number that people set at the device in another way as well.
+    FOUND_ID = "found-id", "the number that people set is found";
+
+    /// One command reads and writes process data (LRW); those that do one of it still work.
+    JOINED_COMMANDS = "joined-commands", "process data can be read and written by one command";
+
     /// There is another start-up configuration to choose.
     ADDED_START_UP = "added-start-up", "there is another start-up configuration";
 

@@ -64,6 +64,14 @@ kinds! { ConfigurationBreaking:
     /// The area of a sync manager can get less long than it could.
     REDUCED_AREA = "reduced-area", "a sync manager's area is smaller";
 
+    /// Masters are to accept fewer devices in place of this one: product codes or revisions that a configuration tool let
+    /// pass are refused at start-up.
+    NARROWED_CHECK = "narrowed-check", "masters accept fewer devices in its place";
+
+    /// A master no longer finds the number that people set at the device, or finds it elsewhere: what is hot-connected is
+    /// not recognised (ETG.1020).
+    LOST_ID = "lost-id", "the number that people set is no longer found where it was";
+
     /// A protocol of the mailbox other than CANopen is gone, or an ability such as the assignment of PDOs. Tools and
     /// start-up lists that use it fail.
     REMOVED_ABILITY = "removed-ability", "the mailbox can do less";

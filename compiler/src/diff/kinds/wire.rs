@@ -64,4 +64,8 @@ kinds! { WireBreaking:
 
     /// The mailbox, or CANopen in it, is gone: nothing can be read, written or configured.
     REMOVED_COE = "removed-coe", "CANopen over EtherCAT is gone";
+
+    /// The device no longer bears the command that reads and writes process data in one (LRW). Masters that use it get inputs
+    /// that are none, or a working counter that is too low, and do not reach Operational.
+    SPLIT_COMMANDS = "split-commands", "process data can no longer be read and written by one command";
 }

@@ -33,6 +33,7 @@ fn type_and_identity(device: &Device) -> Element {
     Element::leaf("Type", &device.type_name)
         .with("ProductCode", Hex(device.identity.product_code))
         .with("RevisionNo", Hex(device.identity.revision))
+        .with_some("UseLrdLwr", device.no_lrw.then_some("1"))
         .with_some("CheckProductCode", device.identity.check_product_code.map(CheckedCode::name))
         .with_some("CheckRevisionNo", device.identity.check_revision.map(CheckedRevision::name))
 }

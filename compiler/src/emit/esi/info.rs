@@ -1,6 +1,7 @@
-//! `Info`: the current from the E-bus, and how long a master waits.
+//! `Info`: the current from the E-bus, how long a master waits, and how it finds the number that people set.
 
 use super::element::Element;
+use super::literal::Hex;
 use crate::model::{Device, Duration, Timeouts};
 
 /// What is said of it; no timeouts of a kind unless all of it are said, for the schema has no room for less.
@@ -12,6 +13,8 @@ pub(super) fn info(device: &Device) -> Option<Element> {
         .child(current.map(|current| Element::new("Electrical").child(current)))
         .child(states.map(|timeout| Element::new("StateMachine").child(timeout)))
         .child(mailbox.map(|timeout| Element::new("Mailbox").child(timeout)))
+        .child(device.identity.id_address.map(|address| Element::leaf("IdentificationAdo", Hex(address))))
+        .child(device.identity.requested_id.then(|| Element::leaf("IdentificationReg134", "true")))
         .unless_empty()
 }
 

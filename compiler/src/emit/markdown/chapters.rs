@@ -47,7 +47,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
         pdos: _, objects: _,
         enumerations: _, image: _, // what they say stands with each entry; the picture is for tools
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
-        names, ebus_current, url, urls,
+        names, ebus_current, no_lrw, url, urls,
         axes, arrangement, modules, slots, connectors, leds,
         communication_states, communication_transitions, al_status_codes, abort_codes,
         sync_managers, mailbox, timeouts, sync_modes, cycle_times, dead_time,
@@ -63,7 +63,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
     #[rustfmt::skip] // as above
     let head = Head {
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
-        names, ebus_current: *ebus_current, url: url.as_deref(), urls,
+        names, ebus_current: *ebus_current, no_lrw: *no_lrw, url: url.as_deref(), urls,
     };
     #[rustfmt::skip] // as above
     let link = Link {

@@ -4,7 +4,7 @@ use super::element::{At, Element};
 use super::esi::{Alternative, Device, Eeprom, Head, InitCmd, Mailbox, ModeManager, OpMode, Signal, Timeout};
 use super::number::{bytes, number, truth};
 use super::{diagnosis, dictionary, process_data, words};
-use crate::model::{CheckedCode, CheckedRevision};
+use crate::model::{CheckedCode, CheckedRevision, are_ports};
 
 pub(super) fn head(device: &Element<'_>) -> Head {
     let kind = device.child("Type");
@@ -41,7 +41,8 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         urls: words::others(device, "URL"),
         ebus_current: device.child("Info").and_then(ebus_current),
         group: device.child("GroupType").map(|group| group.text().to_owned()),
-        physics: device.attribute("Physics").map(str::to_owned),
+        physics: device
+            .attribute_as("Physics", |text| Some(text.to_ascii_uppercase()).filter(|it| are_ports(it))),
         profile,
         add_info,
         fmmus: device.all("Fmmu").map(process_data::fmmu).collect(),
@@ -53,6 +54,9 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         replaces: device.all("HideType").filter_map(|it| it.attribute_as("RevisionNo", number)).collect(),
         check_product_code: checked(device, "CheckProductCode", &CheckedCode::ALL, CheckedCode::name),
         check_revision: checked(device, "CheckRevisionNo", &CheckedRevision::ALL, CheckedRevision::name),
+        requested_id: says(device.child("Info"), "IdentificationReg134"),
+        id_address: device.child("Info").and_then(|info| info.child_as("IdentificationAdo", number)),
+        no_lrw: device.child("Type").and_then(|it| it.attribute_as("UseLrdLwr", truth)).unwrap_or(false),
         sync_units: device.all("Su").map(|it| it.text().to_owned()).collect(),
         op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
         alternatives: alternatives(device),
@@ -71,6 +75,11 @@ pub(super) fn device(device: &Element<'_>) -> Device {
 fn checked<T: Copy>(device: &Element<'_>, name: &str, all: &[T], word: fn(T) -> &'static str) -> Option<T> {
     let of = |text: &str| all.iter().copied().find(|it| word(*it) == text);
     device.child("Type")?.attribute_as(name, of)
+}
+
+/// Whether there is an element, and says that something holds.
+fn says(parent: Option<&Element<'_>>, name: &str) -> bool {
+    parent.and_then(|parent| parent.child_as(name, truth)).unwrap_or(false)
 }
 
 fn ebus_current(info: &Element<'_>) -> Option<i32> {
@@ -234,6 +243,7 @@ fn alternative(element: &Element<'_>) -> Option<Alternative> {
 }
 
 fn eeprom(element: &Element<'_>) -> Eeprom {
+    element.says_usual("AssignToPdi");
     let config_data = element.child_as("ConfigData", bytes).unwrap_or_default();
     let bootstrap = element.child_as("BootStrap", bytes).unwrap_or_default();
     Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data, bootstrap }

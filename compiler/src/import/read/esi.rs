@@ -47,6 +47,9 @@ pub(crate) struct Device {
     /// What a master is to compare: the product code and the revision.
     pub(crate) check_product_code: Option<CheckedCode>,
     pub(crate) check_revision: Option<CheckedRevision>,
+    pub(crate) requested_id: bool,
+    pub(crate) id_address: Option<u16>,
+    pub(crate) no_lrw: bool,
     /// What the sync units are called, in their order.
     pub(crate) sync_units: Vec<String>,
     pub(crate) op_modes: Vec<OpMode>,

@@ -33,7 +33,7 @@ pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
     element.says_usual("OverwrittenByModule");
     Some(Pdo {
         at: element.at(),
-        index: element.child_as("Index", number)?,
+        index: index(element)?,
         name: words::name(element, "Name"),
         names: words::others(element, "Name"),
         fixed: element.attribute_as("Fixed", truth).unwrap_or(false),
@@ -47,6 +47,13 @@ pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
     })
 }
 
+/// Whether it depends on a slot says something in modules only, which ask for it themselves.
+fn index(element: &Element<'_>) -> Option<u16> {
+    let index = element.child_as("Index", number)?;
+    element.child("Index")?.attribute("DependOnSlot");
+    Some(index)
+}
+
 /// How often its values can be there; not without how often they are.
 fn oversampling(element: &Element<'_>) -> Option<Oversampling> {
     let factor = element.attribute_as("OSFac", number)?;
@@ -57,7 +64,7 @@ fn oversampling(element: &Element<'_>) -> Option<Oversampling> {
 fn entry(element: &Element<'_>) -> Option<PdoEntry> {
     Some(PdoEntry {
         at: element.at(),
-        index: element.child_as("Index", number).unwrap_or(0),
+        index: index(element).unwrap_or(0),
         subindex: element.child_as("SubIndex", number).unwrap_or(0),
         bits: element.child_as("BitLen", number)?,
         name: words::name(element, "Name"),

@@ -38,9 +38,9 @@ impl<'t> Sheet<'t> {
         for line in text.split_inclusive('\n') {
             let at = At(start);
             start += line.len();
-            // A semicolon begins a comment.
-            let line = line.split_once(';').map_or(line, |(line, _)| line).trim();
-            if line.is_empty() {
+            // A semicolon begins a comment, where it is no part of a word before it.
+            let line = line.split_once(" ;").map_or(line, |(line, _)| line).trim();
+            if line.is_empty() || line.starts_with(';') {
                 continue;
             }
             if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {

@@ -60,15 +60,18 @@ fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     if let Some(profile) = device.profile {
         set(&mut keys, "profile", Toml::Integer(profile.into()));
     }
-    match device.physics.as_deref().map(str::trim).filter(|physics| !physics.is_empty()) {
+    match &device.physics {
         Some(physics) => set(&mut keys, "physics", Toml::text(physics)),
         None => {
-            report.guess(head.at, "Physics", "it is missing; two ports for cables are taken");
+            report.guess(head.at, "Physics", "it is missing, or says no ports; two for cables are taken");
             block.remarks.push("the file does not say its ports".to_owned());
             set(&mut keys, "physics", Toml::text("YY"));
         }
     }
     set_some(&mut keys, "ebus-current", device.ebus_current.map(|current| Toml::Integer(current.into())));
+    if device.no_lrw {
+        set(&mut keys, "no-lrw", Toml::Bool(true));
+    }
     set_some(&mut keys, "url", device.url.as_ref().map(Toml::text));
     set_some(&mut keys, "urls", in_languages(&device.urls));
     block.keys = keys;
@@ -97,6 +100,10 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     let product_code = device.check_product_code.map(|it| Toml::text(it.word()));
     set_some(&mut keys, "check-product-code", product_code);
     set_some(&mut keys, "check-revision", device.check_revision.map(|it| Toml::text(it.word())));
+    if device.requested_id {
+        set(&mut keys, "requested-id", Toml::Bool(true));
+    }
+    set_some(&mut keys, "id-address", device.id_address.map(|address| Toml::Hex(address.into(), 4)));
     Block { remarks, ..Block::new("identity", None, keys) }
 }
 

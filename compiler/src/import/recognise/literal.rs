@@ -30,9 +30,17 @@ pub(super) fn literal(written: &Written, data_type: DataType) -> Result<Toml, &'
                 "false" => Some(0),
                 _ => None,
             };
-            let value = truth.or_else(|| number::<i128>(words)).ok_or("it is no whole number")?;
+            let value = truth.or_else(|| number::<i128>(words)).ok_or_else(|| no_number(words))?;
             integer(value, data_type)
         }
+    }
+}
+
+/// Why words are no number: in an EDS some depend on the number that a node has on its CAN.
+fn no_number(words: &str) -> &'static str {
+    match words.to_ascii_uppercase().contains("$NODEID") {
+        true => "it depends on the number of a node of CANopen",
+        false => "it is no whole number",
     }
 }
 

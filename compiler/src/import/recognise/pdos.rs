@@ -5,7 +5,7 @@ use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set, set_some};
 use super::draft::Block;
 use super::references::References;
-use super::types::data_type;
+use super::types::{data_type, is_stand_in};
 use super::words;
 use crate::model::Oversampling;
 
@@ -189,6 +189,14 @@ fn own_type(entry: &PdoEntry, report: &mut Report) -> Option<String> {
     let written = entry.data_type.as_deref()?;
     match data_type(written, Some(entry.bits.into())) {
         Some((found, false)) => Some(found.to_string()),
+        Some((found, true)) if is_stand_in(written) && found.bits() == u32::from(entry.bits) => {
+            report.guess(
+                entry.at,
+                "the data type of a mapped entry",
+                format!("`{written}` is taken for {found}"),
+            );
+            Some(found.to_string())
+        }
         _ => {
             let why = format!("descriptions have no `{written}` of {} bits", entry.bits);
             report.lose(entry.at, 1, "the data type of a mapped entry", why);

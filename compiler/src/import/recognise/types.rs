@@ -20,7 +20,7 @@ pub(super) fn data_type(name: &str, bits: Option<u32>) -> Option<(DataType, bool
             Some((DataType::Octets(bytes), named != Some(DataType::Octets(bytes))))
         }
         (Some(DataType::Octets(0)), None) => None,
-        (Some(DataType::Text(0)), None) => Some((DataType::Text(1), false)),
+        (Some(DataType::Text(0)), None) => Some((DataType::Text(1), true)),
         (Some(named), None) => Some((named, false)),
         (Some(named), Some(bits)) if named.bits() == bits => Some((named, is_stand_in(name))),
         (Some(DataType::Int(_)), Some(bits)) if whole(bits) => {
@@ -55,7 +55,7 @@ fn is_composite(name: &str) -> bool {
 }
 
 /// Whether another type stands for the one of this name.
-fn is_stand_in(name: &str) -> bool {
+pub(super) fn is_stand_in(name: &str) -> bool {
     name.trim().to_ascii_uppercase().starts_with("BITARR")
 }
 

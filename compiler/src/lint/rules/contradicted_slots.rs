@@ -1,11 +1,12 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Address, Device, Index};
+use crate::model::{Address, Device, Index, Section};
 
 rule! {
     /// A modular device tells its slots by objects (ETG.5001): 0xF000 how far apart they are and how many there can be,
     /// 0xF010 the profile of each, 0xF030 and 0xF050 the module that is expected and found in it. A master compares
-    /// them with the ESI, and refuses a device that it does not take for the one described.
+    /// them with the ESI, and refuses a device that it does not take for the one described. No more modules are needed than
+    /// there are places for, and the one that is there if nothing is chosen is one that fits.
     ///
     /// ## Fires
     /// ```toml
@@ -36,10 +37,11 @@ rule! {
     /// [objects.0xF000]
     /// ```
     pub(super) static RULE = "contradicted-slots", Dictionary, Warning,
-        "an object says something else of the slots than the axes and modules";
+        "slots are said to be what they are not by what else is described";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
+    places(device, report);
     let slots = device.slots_of_axes();
     let about_slots = [0xF000, 0xF010, 0xF030, 0xF050];
     let objects = device.objects.iter().filter(|object| about_slots.contains(&object.index.0));
@@ -59,6 +61,26 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let diagnostic = Diagnostic::new(&RULE, message.replace("0X", "0x"), at, "by the dictionary");
         report
             .push(entry.address, diagnostic.help("leave the default out: it follows from axes and modules"));
+    }
+}
+
+/// What `[slots]` says of places and modules.
+fn places(device: &Device, report: &mut Report) {
+    for slot in &device.slots {
+        if slot.min > slot.max {
+            let message =
+                format!("`{}` has {} places, of which {} need a module", slot.id, slot.max, slot.min);
+            let diagnostic = Diagnostic::new(&RULE, message, slot.origin.value("min"), "more than there are")
+                .label(slot.origin.value("max"), "places");
+            report.push(Section::Slots.at(&slot.id).at("min"), diagnostic);
+        }
+        let is_strange = |module: &u32| !slot.modules.is_empty() && !slot.modules.contains(module);
+        if let Some(module) = slot.default.filter(is_strange) {
+            let message = format!("module 0x{module:X} is in `{}` by default, and does not fit", slot.id);
+            let diagnostic = Diagnostic::new(&RULE, message, slot.origin.value("default"), "by default")
+                .label(slot.origin.value("modules"), "what fits");
+            report.push(Section::Slots.at(&slot.id).at("default"), diagnostic);
+        }
     }
 }
 

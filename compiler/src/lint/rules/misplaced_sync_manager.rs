@@ -5,7 +5,7 @@ use crate::model::{Device, Section};
 rule! {
     /// An ESI does not number sync managers: the first is 0, the next 1, and what refers to one counts. So a number is
     /// a place, each is taken once, and none is left out. What the device does not use is described, too, with
-    /// `enable = false`.
+    /// `enable = false`. A controller has 16 of them at most (ETG.1000.4).
     ///
     /// ## Fires
     /// ```toml
@@ -27,7 +27,15 @@ rule! {
         "the number of a sync manager is not its place";
 }
 
+/// How many sync managers a controller can have.
+const MOST: usize = 16;
+
 pub(super) fn check(device: &Device, report: &mut Report) {
+    if let Some(first) = device.sync_managers.iter().filter(|manager| !manager.r#virtual).nth(MOST) {
+        let message = format!("`{}` is one more than the {MOST} that a controller can have", first.id);
+        let diagnostic = Diagnostic::new(&RULE, message, first.origin.header(), "has no registers");
+        report.push(Section::SyncManagers.at(&first.id), diagnostic);
+    }
     let numbers = device.sync_managers.iter().filter_map(|manager| {
         let node = manager.origin.node("number")?;
         match node.value {

@@ -26,6 +26,7 @@ mod contradicted_notation;
 pub(crate) mod contradicted_period;
 mod contradicted_profile;
 mod contradicted_quantity;
+mod contradicted_role;
 mod contradicted_size;
 mod contradicted_slots;
 mod contradicted_sync_types;
@@ -38,6 +39,7 @@ mod deviating_pattern;
 mod deviating_transition;
 mod deviating_type;
 mod differing_axis;
+mod disguised_choice;
 mod empty_limits;
 pub(crate) mod empty_name;
 mod empty_reason;
@@ -127,6 +129,7 @@ pub(super) mod unmended_erratum;
 mod unnumbered_group;
 mod unplaced_object;
 mod unreachable_area;
+mod unreachable_cycle_time;
 mod unreachable_default;
 mod unreachable_transition;
 mod unrepresentable_cycle_time;
@@ -162,9 +165,9 @@ lints! {
     commanded_automatic_transition, contradicted_activation, contradicted_assignment,
     contradicted_config_data, contradicted_control, contradicted_count, contradicted_default,
     contradicted_edge, contradicted_group, contradicted_identity, contradicted_modes, contradicted_notation,
-    contradicted_period, contradicted_profile, contradicted_quantity, contradicted_size, contradicted_slots,
+    contradicted_period, contradicted_profile, contradicted_quantity, contradicted_role, contradicted_size, contradicted_slots,
     contradicted_sync_types, contradicted_total, contradicted_width, deviating_access, deviating_kind,
-    deviating_mapping, deviating_pattern, deviating_transition, deviating_type, differing_axis, empty_limits,
+    deviating_mapping, deviating_pattern, deviating_transition, deviating_type, differing_axis, disguised_choice, empty_limits,
     empty_name, empty_reason, excluded_assignment, foreign_protocol, foreign_state, hidden_command,
     idle_enumeration, idle_erratum, idle_mapped_entry, idle_unit, impossible_boot_mailbox,
     impossible_eeprom_size, incomplete_timeouts, indistinct_bit, indistinct_members, inverted_limits,
@@ -181,7 +184,7 @@ lints! {
     uncopied_value, undefined_default, undersized_eeprom, undersized_sync_manager, understated_axes,
     uneven_slots, unexpected_mode_bit, unfit_image, unknown_homing_method, unknown_rule, unlike_slots,
     unlistable_mode, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group,
-    unplaced_object, unreachable_area, unreachable_default, unreachable_transition,
+    unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition,
     unrepresentable_cycle_time, unrepresentable_value, unrestorable_value, unscaled_axis, unsized_string,
     unslotted_axis, unsourced_fact, unspellable_text, unspoken_ability, unsupported_configuration_mode,
     unsupported_cycle_mode, unsupported_cycle_time, unsupported_pdo_mode, unsupported_transition,

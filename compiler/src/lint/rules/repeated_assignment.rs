@@ -2,11 +2,12 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Place, Section};
+use crate::model::{Device, Index, Place, Section, SyncManager};
 use crate::source::{Location, Origin, Value};
 
 rule! {
-    /// A sync manager carries a PDO once. A device refuses a list that names it twice, or sends everything in it twice.
+    /// A PDO is carried once. A device refuses a list that names it twice, or sends everything in it twice; and of two sync
+    /// managers one has it.
     ///
     /// ## Fires
     /// ```toml
@@ -47,12 +48,28 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for manager in &device.sync_managers {
-        judge(&Section::SyncManagers.at(manager.role.key()), &manager.origin, "pdos", report);
+        judge(&Section::SyncManagers.at(&manager.id), &manager.origin, "pdos", report);
     }
+    several(device, report);
     for configuration in &device.configurations {
         for key in ["outputs", "inputs"] {
             judge(&Section::Configurations.at(&configuration.id), &configuration.origin, key, report);
         }
+    }
+}
+
+/// Judges what several sync managers carry.
+fn several(device: &Device, report: &mut Report) {
+    let mut first: BTreeMap<Index, &SyncManager> = BTreeMap::new();
+    for manager in &device.sync_managers {
+        let again = manager.pdos.iter().find_map(|pdo| Some((*pdo, *first.get(pdo)?)));
+        if let Some((pdo, other)) = again {
+            let message = format!("{pdo} is assigned to `{}` and to `{}`", other.id, manager.id);
+            let diagnostic = Diagnostic::new(&RULE, message, manager.origin.value("pdos"), "again here")
+                .label(other.origin.value("pdos"), "first here");
+            report.push(Section::SyncManagers.at(&manager.id), diagnostic.help("leave one of them out"));
+        }
+        first.extend(manager.pdos.iter().map(|pdo| (*pdo, manager)));
     }
 }
 

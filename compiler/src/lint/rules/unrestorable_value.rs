@@ -3,7 +3,7 @@ use crate::lint::{Report, lookup};
 use crate::model::Device;
 
 rule! {
-    /// A tool writes backups and settings back (ETG.1000.6). What cannot be written is neither.
+    /// A tool reads backups and settings, and writes them back (ETG.1000.6). What cannot be read or written is neither.
     ///
     /// ## Fires
     /// ```toml
@@ -23,18 +23,22 @@ rule! {
     /// backup = true
     /// ```
     pub(super) static RULE = "unrestorable-value", Dictionary, Warning,
-        "a backup holds what cannot be written";
+        "a backup holds what cannot be read or written";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
         let keys = [("backup", entry.backup), ("setting", entry.setting)];
         let said = keys.into_iter().find(|(key, says)| *says && !lookup::is_shared(object, entry, key));
-        if let Some((key, _)) = said.filter(|_| !entry.access.writable()) {
-            let message = format!("{} is a `{key}`, but it cannot be written", entry.address);
-            let diagnostic =
-                Diagnostic::new(&RULE, message, entry.origin.value(key), "written back by tools")
-                    .label(entry.origin.value("access"), "read only");
+        let (lacks, does, only) = match (entry.access.readable(), entry.access.writable()) {
+            (_, false) => ("written", "written back by tools", "read only"),
+            (false, _) => ("read", "read by tools", "write only"),
+            (true, true) => continue,
+        };
+        if let Some((key, _)) = said {
+            let message = format!("{} is a `{key}`, but it cannot be {lacks}", entry.address);
+            let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value(key), does)
+                .label(entry.origin.value("access"), only);
             report.push(lookup::name(object, entry), diagnostic);
         }
     }

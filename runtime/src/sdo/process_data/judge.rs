@@ -6,7 +6,7 @@
 
 use super::role::{PdoRules, Role, Way, bits};
 use crate::object::Address;
-use crate::pdo::Mapping;
+use crate::pdo::{Mapping, SyncManager};
 use crate::sdo::{AbortCode, Hooks, Server, Values, found};
 
 /// What an object is going to hold.
@@ -20,15 +20,14 @@ struct Proposed<'a> {
 
 /// Whether the server judges a number of entries here, and not by the table alone.
 pub(crate) fn counts_process_data(values: &impl Values, address: Address) -> bool {
-    values.process_data().is_some() && address.subindex == 0 && Role::of(address.index).is_some()
+    let rules = values.process_data();
+    address.subindex == 0 && rules.is_some_and(|rules| rules.role(address.index).is_some())
 }
 
 impl<V: Values, H: Hooks<V>> Server<V, H> {
     /// Judges the write of an entry that the table allows.
     pub(crate) fn judge(&mut self, to: Address, data: &[u8]) -> Result<(), AbortCode> {
-        let (Some(rules), Some(role)) = (self.values.process_data(), Role::of(to.index)) else {
-            return Ok(());
-        };
+        let Some((rules, role)) = self.role(to.index) else { return Ok(()) };
         if let (0, Some(count)) = (to.subindex, data.first()) {
             return self.judge_count(rules, Proposed { role, index: to.index, whole: None }, *count);
         }
@@ -38,11 +37,15 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         role.judge(&self.values, number(data))
     }
 
+    /// What an object says of process data, and what is allowed there.
+    fn role(&self, index: u16) -> Option<(&'static PdoRules, Role)> {
+        let rules = self.values.process_data()?;
+        Some((rules, rules.role(index)?))
+    }
+
     /// Judges the write of a whole object that has data of the right length.
     pub(crate) fn judge_whole(&mut self, from: Address, data: &[u8]) -> Result<(), AbortCode> {
-        let (Some(rules), Some(role)) = (self.values.process_data(), Role::of(from.index)) else {
-            return Ok(());
-        };
+        let Some((rules, role)) = self.role(from.index) else { return Ok(()) };
         if from.subindex > 0 {
             return match self.number(Address::new(from.index, 0))? {
                 0 => Ok(()),
@@ -92,7 +95,8 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         }
     }
 
-    /// Each PDO once, none with one that it excludes, all that have to be there, and together no longer than is carried.
+    /// Each PDO once, none with one that it excludes, also not by another sync manager of the direction; all that have to be
+    /// there, and together no longer than is carried.
     fn judge_assignment(
         &mut self,
         rules: &PdoRules,
@@ -102,6 +106,10 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
     ) -> Result<(), AbortCode> {
         let Some(manager) = rules.manager(way) else { return Ok(()) };
         let (mut carried, mut mandatory) = (0_usize, 0_usize);
+        let beside = || rules.assignments(way).filter(|other| *other != proposed.index);
+        for other in beside() {
+            carried = carried.saturating_add(self.carried_by(other).saturating_mul(8));
+        }
         for subindex in 1..=count {
             let pdo = self.pdo(proposed, subindex)?;
             for before in 1..subindex {
@@ -110,16 +118,31 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
                     return Err(AbortCode::PARAMETERS_INCOMPATIBLE);
                 }
             }
+            for other in beside() {
+                self.judge_beside(manager, other, pdo)?;
+            }
             carried = carried.saturating_add(self.bits_of(pdo)?);
             mandatory = mandatory.saturating_add(manager.mandatory.contains(&pdo).into());
         }
-        if mandatory < manager.mandatory.len() {
+        if mandatory < manager.mandatory_of(proposed.index) {
             return Err(AbortCode::PARAMETERS_INCOMPATIBLE);
         }
         match manager.max_size.map(bits) {
             Some(most) if carried > most => Err(AbortCode::PDO_TOO_LONG),
             _ => Ok(()),
         }
+    }
+
+    /// Whether a PDO may be there while another sync manager has what it has.
+    fn judge_beside(&mut self, manager: &SyncManager, other: u16, pdo: u16) -> Result<(), AbortCode> {
+        let count = u8::try_from(self.number(Address::new(other, 0)).unwrap_or(0)).unwrap_or(u8::MAX);
+        for subindex in 1..=count {
+            let beside = u16::try_from(self.number(Address::new(other, subindex))?).unwrap_or(0);
+            if beside == pdo || manager.excludes(beside, pdo) {
+                return Err(AbortCode::PARAMETERS_INCOMPATIBLE);
+            }
+        }
+        Ok(())
     }
 
     /// A PDO that is going to be assigned; that there is one was judged when it was written, but for an empty entry.
@@ -148,7 +171,7 @@ impl Role {
             _ if value == 0 => Ok(()),
             Self::Mapping(way) => may_map(values, Mapping::from_word(value), way),
             Self::Assignment(way) => {
-                let pdo = u16::try_from(value).ok().filter(|pdo| Self::of(*pdo) == Some(Self::Mapping(way)));
+                let pdo = u16::try_from(value).ok().filter(|pdo| Way::of_pdo(*pdo) == Some(way));
                 match pdo.and_then(|pdo| values.table().object(pdo)) {
                     Some(_) => Ok(()),
                     None => Err(AbortCode::VALUE_OUT_OF_RANGE),

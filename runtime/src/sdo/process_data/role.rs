@@ -1,6 +1,6 @@
 //! Which objects process data is made by, and what a device lets a master write to them.
 
-use crate::pdo::SyncManager;
+use crate::pdo::{Direction, Rx, SyncManager};
 use crate::sdo::Access;
 
 /// What a device lets a master make its process data of.
@@ -30,20 +30,21 @@ pub(super) enum Role {
     Assignment(Way),
 }
 
-impl Role {
-    /// The role of an object; none if it has nothing to do with process data (ETG.1000.6, object dictionary areas).
-    pub(super) const fn of(index: u16) -> Option<Self> {
+impl Way {
+    /// That of a direction.
+    pub(super) const fn of<D: Direction>() -> Self {
+        if D::ASSIGNMENT == Rx::ASSIGNMENT { Self::Rx } else { Self::Tx }
+    }
+
+    /// That of a PDO, by its mapping object (ETG.1000.6, object dictionary areas); none if it is not one.
+    pub(super) const fn of_pdo(index: u16) -> Option<Self> {
         match index {
-            0x1600..=0x17FF => Some(Self::Mapping(Way::Rx)),
-            0x1A00..=0x1BFF => Some(Self::Mapping(Way::Tx)),
-            0x1C12 => Some(Self::Assignment(Way::Rx)),
-            0x1C13 => Some(Self::Assignment(Way::Tx)),
+            0x1600..=0x17FF => Some(Self::Rx),
+            0x1A00..=0x1BFF => Some(Self::Tx),
             _ => None,
         }
     }
-}
 
-impl Way {
     /// The right that an entry needs to be mapped.
     pub(super) const fn right(self) -> Access {
         match self {
@@ -54,6 +55,20 @@ impl Way {
 }
 
 impl PdoRules {
+    /// The role of an object; none if it has nothing to do with process data.
+    pub(super) fn role(&self, index: u16) -> Option<Role> {
+        let assigns = |way: &Way| self.assignments(*way).any(|assignment| assignment == index);
+        match Way::of_pdo(index) {
+            Some(way) => Some(Role::Mapping(way)),
+            None => [Way::Rx, Way::Tx].into_iter().find(assigns).map(Role::Assignment),
+        }
+    }
+
+    /// The objects that name the PDOs of a direction, one for each sync manager of it.
+    pub(super) fn assignments(&self, way: Way) -> impl Iterator<Item = u16> {
+        self.manager(way).into_iter().flat_map(|manager| manager.carriers).map(|carrier| carrier.assignment)
+    }
+
     /// What may be assigned.
     pub(super) const fn manager(&self, way: Way) -> Option<&SyncManager> {
         match way {

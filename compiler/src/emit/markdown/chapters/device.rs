@@ -23,6 +23,7 @@ pub(in crate::emit::markdown) struct Head<'d> {
     pub(super) source: Option<&'d Source>,
     pub(super) names: &'d Translations,
     pub(super) ebus_current: Option<i32>,
+    pub(super) no_lrw: bool,
     pub(super) url: Option<&'d str>,
     pub(super) urls: &'d Translations,
     pub(super) origin: &'d Origin,
@@ -35,6 +36,7 @@ pub(super) fn page(context: &Context<'_>, head: &Head<'_>) -> Page {
     page.table(facts(context, head));
     page.text(context.said_line(head.source, head.origin));
     page.table(identity(head.identity));
+    page.text(set_number(head.identity));
     page.text(context.said_line(head.identity.source.as_ref(), &head.identity.origin));
     page.titled("Limits", limits(context, head.limits));
     page
@@ -57,6 +59,7 @@ fn facts(context: &Context<'_>, head: &Head<'_>) -> Table {
         ("Process data", process_data(context)),
         ("Ports", ports(head.physics)),
         ("E-bus", head.ebus_current.map_or(String::new(), current)),
+        ("Commands", if head.no_lrw { "LRD and LWR, no LRW".to_owned() } else { String::new() }),
         ("EEPROM", memory(head.eeprom)),
         ("Web page", addresses(head)),
     ];
@@ -125,6 +128,18 @@ fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {
             context.said(limit.source.as_ref(), &limit.origin),
         ]
     })
+}
+
+/// How a master finds the number that people set at the device.
+fn set_number(identity: &Identity) -> String {
+    let asked =
+        identity.requested_id.then(|| "in the AL status code, when it sets bit 5 of AL control".to_owned());
+    let read = identity.id_address.map(|address| format!("at {}", code(format!("0x{address:04X}"))));
+    let ways: Vec<String> = asked.into_iter().chain(read).collect();
+    match ways.is_empty() {
+        true => String::new(),
+        false => format!("A master finds the number that people set at the device {}.", ways.join(", or ")),
+    }
 }
 
 fn identity(identity: &Identity) -> Table {

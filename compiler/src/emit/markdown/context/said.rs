@@ -43,9 +43,11 @@ impl Context<'_> {
                 some.iter().map(|path| text(path)).collect::<Vec<_>>().join(", ")
             )),
         };
-        let others = facts.iter().filter_map(|(path, who)| {
-            let word = word(who)?;
-            Some(format!("{word}: {}", self.reason(origin, who, &text(path))))
+        let others = ["assumed", "corrected", "contradicted"].into_iter().filter_map(|kind| {
+            let of_kind = facts.iter().filter(|(_, who)| word(who) == Some(kind));
+            let reasons: Vec<String> =
+                of_kind.map(|(path, who)| self.reason(origin, who, &text(path))).collect();
+            (!reasons.is_empty()).then(|| format!("{kind}: {}", reasons.join(", ")))
         });
         profile.into_iter().chain(others).collect()
     }

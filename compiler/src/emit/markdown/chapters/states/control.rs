@@ -4,6 +4,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::list;
 use crate::emit::markdown::page::Page;
 use crate::model::{DeviceControl, Refusal};
+use crate::source::Origin;
 
 /// What becomes of a wrong command.
 pub(super) fn commands(context: &Context<'_>, control: &DeviceControl, page: &mut Page) {
@@ -16,7 +17,7 @@ pub(super) fn commands(context: &Context<'_>, control: &DeviceControl, page: &mu
             "A command that leads nowhere in the present state, or bits that make none, are a fault: transition 13."
         }
     };
-    page.text(refusal);
+    page.text(said(context, origin, "wrong-command", refusal));
     page.text(context.paragraphs(about.as_deref()));
     page.text(context.said_line(source.as_ref(), origin));
 }
@@ -39,6 +40,14 @@ pub(in crate::emit::markdown::chapters) fn modes(
         Refusal::Ignored => "A change that the drive does not make is ignored.",
         Refusal::Fault => "A change that the drive does not make is a fault: transition 13.",
     };
-    page.text(format!("{selectable} {refusal}"));
+    page.text(format!("{selectable} {}", said(context, origin, "wrong-mode", refusal)).trim());
     page.text(context.said_line(source.as_ref(), origin));
+}
+
+/// A sentence with the mark of the key that says it; none where the key is left out.
+fn said(context: &Context<'_>, origin: &Origin, key: &str, sentence: &str) -> String {
+    match origin.has(key) {
+        true => format!("{sentence}{}", context.mark(origin, key)),
+        false => String::new(),
+    }
 }
