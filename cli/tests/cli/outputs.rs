@@ -99,7 +99,8 @@ fn linked(text: &str) -> Vec<&str> {
 #[test]
 fn chapters_are_files_that_lead_to_each_other() {
     let desk = Desk::sound();
-    desk.devc(&["build", "--emit", "md", "--chapters"]).ends(0, &["wrote ", "drive.md to generated/drive"]);
+    desk.devc(&["build", "--emit", "md", "--chapters"])
+        .ends(0, &["wrote drive.md, drive.md.d/", " to generated/drive"]);
     assert_eq!(desk.list("generated/drive"), ["drive.md", "drive.md.d"]);
     let chapters = desk.list("generated/drive/drive.md.d");
     let contents = desk.read("generated/drive/drive.md");
