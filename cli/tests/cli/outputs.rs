@@ -87,6 +87,60 @@ fn check_compares_and_writes_nothing() {
     assert_eq!(desk.read("generated/drive/drive.xml"), edited);
 }
 
+/// The files that links of a text lead to, each once.
+fn linked(text: &str) -> Vec<&str> {
+    let links = text.split("](").skip(1).filter_map(|rest| rest.split(['#', ')']).next());
+    let mut files: Vec<&str> = links.filter(|file| !file.is_empty()).collect();
+    files.sort_unstable();
+    files.dedup();
+    files
+}
+
+#[test]
+fn chapters_are_files_that_lead_to_each_other() {
+    let desk = Desk::sound();
+    desk.devc(&["build", "--emit", "md", "--chapters"])
+        .ends(0, &["wrote drive.md, drive.md.d/", " to generated/drive"]);
+    assert_eq!(desk.list("generated/drive"), ["drive.md", "drive.md.d"]);
+    let chapters = desk.list("generated/drive/drive.md.d");
+    let contents = desk.read("generated/drive/drive.md");
+    let expected: Vec<String> = chapters.iter().map(|name| format!("drive.md.d/{name}")).collect();
+    assert_eq!(linked(&contents), expected, "the contents lead to each");
+    assert!(!contents.contains("0x2000"), "what is in a chapter is not in the contents: {contents}");
+    let objects = desk.read("generated/drive/drive.md.d/objects.md");
+    assert!(objects.contains("`0x2000`") && objects.contains("Speed"), "{objects}");
+    for name in &chapters {
+        let text = desk.read(&format!("generated/drive/drive.md.d/{name}"));
+        assert!(linked(&text).contains(&"../drive.md"), "{name} leads back");
+        for file in linked(&text) {
+            assert!(desk.path(&format!("generated/drive/drive.md.d/{file}")).is_file(), "{name}: {file}");
+        }
+    }
+}
+
+#[test]
+fn chapters_are_compared_and_kept_as_other_outputs_are() {
+    let desk = Desk::sound();
+    let (one, many) = (["build", "--emit", "md"], ["build", "--emit", "md", "--chapters"]);
+    let check = |arguments: &[&str]| desk.devc(&[arguments, &["--check"]].concat());
+    check(&many).ends(1, &["`generated/drive/drive.md.d/objects.md` is missing"]);
+    assert!(desk.list("generated").is_empty());
+    desk.devc(&many).ends(0, &["wrote"]);
+    check(&many).ends(0, &["up to date"]);
+    check(&one).ends(1, &["drive.md` differs"]);
+    let contents = desk.read("generated/drive/drive.md");
+    // the project says the same as the option
+    desk.put("devc.toml", "[outputs]\nchapters = true\n");
+    check(&one).ends(0, &["up to date"]);
+    desk.put("devc.toml", "");
+    desk.devc(&one).ends(0, &["wrote drive.md"]);
+    assert_ne!(desk.read("generated/drive/drive.md"), contents);
+    assert!(!desk.list("generated/drive/drive.md.d").is_empty(), "devc removes nothing");
+    desk.put("generated/drive/drive.md.d/objects.md", "my own notes\n");
+    desk.devc(&many).ends(2, &["objects.md"]);
+    assert_eq!(desk.read("generated/drive/drive.md.d/objects.md"), "my own notes\n");
+}
+
 #[test]
 fn timings_name_each_stage() {
     let desk = Desk::sound();

@@ -51,8 +51,8 @@ fn spelt(word: &str) -> String {
 #[derive(Default)]
 pub(super) struct Vocabulary {
     uses: BTreeMap<String, usize>,
-    /// Words by what is left of them without one of their letters.
-    shortened: BTreeMap<String, Vec<String>>,
+    /// Words by those that are slips of them.
+    slips: BTreeMap<String, String>,
     /// How often a word stands before a number, with the number once.
     numbered: BTreeMap<String, (usize, String)>,
 }
@@ -71,29 +71,36 @@ impl Vocabulary {
                 *all.uses.entry(word).or_default() += 1;
             }
         }
-        for word in all.uses.keys().filter(|word| word.chars().count() > TOLD_APART) {
-            for short in without_one(word) {
-                all.shortened.entry(short).or_default().push(word.clone());
-            }
-        }
+        all.slips = all.slips();
         all
     }
 
-    /// The word that is meant by another, if it is used more often: one with a letter more or less, or with two letters
-    /// in the other order. A letter that is another one most often makes another word.
-    pub(super) fn meant(&self, word: &str) -> Option<(&str, usize)> {
-        if word.chars().count() < TOLD_APART || word.len() > LONGEST {
-            return None;
+    /// The words that are slips of others: of two that a letter more or the order of two letters tells apart, the one that
+    /// is used less. A letter that is another one most often makes another word.
+    fn slips(&self) -> BTreeMap<String, String> {
+        let mut slips: BTreeMap<String, String> = BTreeMap::new();
+        for (word, uses) in self.uses.iter().filter(|(word, _)| word.chars().count() >= TOLD_APART) {
+            let shorter = without_one(word).filter(|short| short.chars().count() >= TOLD_APART);
+            for (other, others) in
+                shorter.chain(transposed(word)).filter_map(|it| self.uses.get_key_value(&it))
+            {
+                let (slip, meant) = if uses < others { (word, other) } else { (other, word) };
+                let is_better = |known: &String| self.uses(known) < self.uses(meant);
+                if uses != others
+                    && is_slip(slip, meant)
+                    && !BOTH_WORDS.contains(&(word.min(other).as_str(), word.max(other).as_str()))
+                    && slips.get(slip).is_none_or(is_better)
+                {
+                    slips.insert(slip.clone(), meant.clone());
+                }
+            }
         }
-        let longer = self.shortened.get(word).into_iter().flatten().cloned();
-        let shorter = without_one(word).filter(|short| short.chars().count() >= TOLD_APART);
-        let candidates = longer.chain(shorter).chain(transposed(word));
-        let is_meant = |other: &(&str, usize)| {
-            let pair = if word < other.0 { (word, other.0) } else { (other.0, word) };
-            other.1 > self.uses(word) && is_slip(word, other.0) && !BOTH_WORDS.contains(&pair)
-        };
-        let known = candidates.filter_map(|other| self.uses.get_key_value(&other));
-        known.map(|(other, uses)| (other.as_str(), *uses)).filter(is_meant).max_by_key(|(_, uses)| *uses)
+        slips
+    }
+
+    /// The word that is meant by another, if it is used more often, and how often it is.
+    pub(super) fn meant(&self, word: &str) -> Option<(&str, usize)> {
+        self.slips.get(word).map(|meant| (meant.as_str(), self.uses(meant)))
     }
 
     /// What a word with a number at its end is elsewhere, if it is so more often: the word, then a number.
@@ -116,20 +123,19 @@ impl Vocabulary {
 
 /// A word without each of its letters in turn.
 fn without_one(word: &str) -> impl Iterator<Item = String> {
-    let letters: Vec<char> = word.chars().collect();
-    (0..letters.len()).map(move |gone| {
-        let kept = letters.iter().enumerate().filter(|(place, _)| *place != gone);
-        kept.map(|(_, letter)| letter).collect()
+    word.char_indices().map(|(at, letter)| {
+        let (before, rest) = word.split_at(at);
+        [before, rest.split_at(letter.len_utf8()).1].concat()
     })
 }
 
 /// A word with each two neighbours in the other order.
 fn transposed(word: &str) -> impl Iterator<Item = String> {
-    let letters: Vec<char> = word.chars().collect();
-    (1..letters.len()).map(move |second| {
-        let mut swapped = letters.clone();
-        swapped.swap(second.saturating_sub(1), second);
-        swapped.into_iter().collect()
+    word.char_indices().zip(word.chars().skip(1)).map(|((at, first), second)| {
+        let (before, rest) = word.split_at(at);
+        let (first, rest) = rest.split_at(first.len_utf8());
+        let (second, rest) = rest.split_at(second.len_utf8());
+        [before, second, first, rest].concat()
     })
 }
 

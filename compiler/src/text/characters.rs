@@ -66,21 +66,24 @@ fn is_hazard(c: char) -> bool {
 
 /// Where the first hazard of a text is, if it has one.
 pub(crate) fn first_hazard(text: &str) -> Option<usize> {
-    let is_plain = |byte| matches!(byte, b'\t' | b'\n' | b' '..=b'~');
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        // most lines are plain, which is told of many bytes at once
-        let found = if line.bytes().fold(true, |all, byte| all & is_plain(byte)) {
-            None
-        } else {
-            line.find(is_hazard)
-        };
-        if let Some(at) = found {
-            return Some(start + at);
+    let mut at = 0;
+    loop {
+        at += plain(text.as_bytes().get(at..)?);
+        let c = text.get(at..)?.chars().next()?;
+        if is_hazard(c) {
+            return Some(at);
         }
-        start += line.len();
+        at += c.len_utf8();
     }
-    None
+}
+
+/// How many bytes at the beginning are those of ASCII that only stand for themselves: nearly all, so many are asked at once.
+fn plain(bytes: &[u8]) -> usize {
+    let is_plain = |byte: &u8| matches!(byte, b'\t' | b'\n' | b' '..=b'~');
+    let blocks =
+        bytes.chunks_exact(64).take_while(|block| block.iter().fold(true, |all, byte| all & is_plain(byte)));
+    let start = blocks.count() * 64;
+    start + bytes.iter().skip(start).take_while(|byte| is_plain(byte)).count()
 }
 
 /// The text with each `marked` character, of which there is a first one or none, written by `write`.

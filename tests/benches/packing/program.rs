@@ -1,9 +1,13 @@
 //! The program with all ways, at a level of optimisation.
 
 use std::collections::BTreeMap;
-use std::env;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
+
+use devc::emit::c::C;
+use devc::emit::{Emitter, Options};
+use devc::source::Disk;
 
 use crate::code::{self, Code};
 use crate::measure::{Fallible, instructions, run};
@@ -53,6 +57,7 @@ impl Program {
         let mut cargo = Command::new(env!("CARGO"));
         cargo.args(["build", "--release", "--manifest-path", manifest, "--target-dir"]).arg(&target);
         cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level).env("CARGO_PROFILE_RELEASE_LTO", lto);
+        cargo.env("HEADERS", headers(&target)?);
         run(&mut cargo)?;
         Ok(Self(target.join("release").join("devc-packing").with_extension(env::consts::EXE_EXTENSION)))
     }
@@ -84,4 +89,18 @@ impl Program {
         });
         Ok(without_call.collect())
     }
+}
+
+/// The folder with the headers in C of the shipped descriptions, made anew.
+fn headers(target: &Path) -> Fallible<PathBuf> {
+    let folder = target.join("headers");
+    fs::create_dir_all(&folder)?;
+    for device in ["c887", "pmc-sc6", "s700"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices").join(device);
+        let family = devc::compile(&Disk, &path).family.ok_or("a description has errors")?;
+        for (name, content) in C.emit(&family, &Options::default()).0 {
+            fs::write(folder.join(name), content)?;
+        }
+    }
+    Ok(folder)
 }

@@ -50,6 +50,13 @@ for item in parsed.transform().items:
     if kind == "GlobalVariableDeclarations":
         for name, of, value in re.findall(r"(\w+) : (\w+) := ([\w#-]+);", text):
             print("constant", name, of, number(value))
+        for name, writes in re.findall(r"(\w+) : ARRAY ?\[[^\]]+\] OF \w+_SDO_WRITE := \[(.*?)\];", text):
+            row = r"index := (16#\w+), subindex := (16#\w+), size := (\d+), data := \[([^\]]*)\]"
+            for index, subindex, size, data in re.findall(row, writes):
+                data = [number(byte) for byte in data.split(", ")]
+                if any(data[int(size) :]):
+                    sys.exit(f"{name} has more than {size} bytes: {data}")
+                print("write", name, number(index), number(subindex), bytes(data[: int(size)]).hex())
     elif kind == "DataTypeDeclaration" and "STRUCT" in text:
         name = re.search(r"(\w+) : STRUCT", text)[1]
         for field, of in re.findall(r"(\w+) : ([^;:]+);", text.split("STRUCT", 1)[1]):

@@ -6,6 +6,7 @@ use devc::emit::structured_text::StructuredText;
 use devc::emit::{Emitter, Options};
 use serde_json::Value as Json;
 
+use crate::expected;
 use crate::model::{Field, Print, list, name, number, records, subjects, text};
 use crate::tools::{has_module, run, tool};
 
@@ -58,6 +59,7 @@ fn check(member: &Json, prefix: &str, read: &str) {
     words(member, prefix, &lines);
     states(member, read);
     texts(member, prefix, &lines);
+    writes(member, prefix, read);
     structs(member, prefix, read);
 }
 
@@ -125,6 +127,21 @@ fn texts(member: &Json, prefix: &str, lines: &BTreeSet<&str>) {
         of.iter().map(|line| line.splitn(5, ' ').take(4).collect::<Vec<_>>().join(" ")).collect()
     };
     assert_eq!(codes(&found), codes(&expected));
+}
+
+/// The start-up lists in order, each write with its bytes.
+fn writes(member: &Json, prefix: &str, read: &str) {
+    let found: Vec<&str> = read.lines().filter_map(|line| line.strip_prefix("write ")).collect();
+    let lists = expected::start_ups(member);
+    let expected = lists.iter().flat_map(|(of, writes)| {
+        writes.iter().map(move |write| {
+            let (index, subindex) =
+                (number(&write["address"], "index"), number(&write["address"], "subindex"));
+            let bytes = list(write, "data").iter().map(|byte| format!("{:02x}", byte.as_u64().unwrap()));
+            format!("{prefix}_{} {index} {subindex} {}", of.to_uppercase(), bytes.collect::<String>())
+        })
+    });
+    assert_eq!(found, expected.collect::<Vec<_>>());
 }
 
 /// Each struct has the bytes of its PDO, and each value lies in it where it travels: as a number of its type, or within bytes.

@@ -66,6 +66,25 @@ fn no_other_script_runs() {
     assert!(!browser.open(&foreign, "").contains("<title>taken"), "the policy holds");
 }
 
+/// On paper nothing is cut, on a dark ground, or there for those who can press it.
+#[test]
+fn what_is_printed_is_whole() {
+    let Some(browser) = Browser::find() else { return };
+    // the rules for paper, applied to a body as wide as what an A4 page takes
+    let paper = "for (const rule of document.styleSheets[0].cssRules) { \
+         if (rule.media?.mediaText === \"print\") rule.media.mediaText = \"all\"; } \
+         document.documentElement.className = \"dark\"; document.body.style.width = \"180mm\"; \
+         const edge = document.body.getBoundingClientRect().right + 1; \
+         const shown = [...document.body.querySelectorAll(\"main *\")].filter((it) => it.checkVisibility()); \
+         return [shown.filter((it) => it.getBoundingClientRect().right > edge).map((it) => it.textContent.slice(0, 60)), \
+         shown.filter((it) => it.matches(\"input, select, button\")).map((it) => it.id), \
+         getComputedStyle(document.body).backgroundColor, shown.length > 1000];";
+    for device in DEVICES {
+        let answer = browser.ask(&page(device), "", paper);
+        assert_eq!(answer, serde_json::json!([[], [], "rgb(255, 255, 255)", true]), "{device}");
+    }
+}
+
 #[test]
 fn each_link_of_a_page_leads_somewhere() {
     for device in DEVICES {

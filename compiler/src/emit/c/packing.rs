@@ -37,37 +37,46 @@ fn container(bits: u32) -> u32 {
     if bits > 32 { 64 } else { 32 }
 }
 
-/// The statements that fill `to` from `from`.
+/// A byte of an image: what is read before it can be put together, and its parts.
+#[derive(Clone, Default)]
+struct Byte {
+    reads: Vec<String>,
+    parts: Vec<String>,
+}
+
+/// The statements that fill `to` from `from`. Each value is read once, where its first byte comes: for all the compiler knows,
+/// a byte that is written could be one of the struct, and the value would have to be read again behind it.
 pub(super) fn pack(fields: &[Placed<'_>], bytes: u32) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut parts: Vec<Vec<String>> = vec![Vec::new(); usize::try_from(bytes).unwrap_or(0)];
+    let mut image = vec![Byte::default(); usize::try_from(bytes).unwrap_or(0)];
     for (number, placed) in fields.iter().enumerate() {
         let (field, member) = (placed.field, format!("from->{}{}", placed.path, placed.field.name));
-        let width = container(field.bits);
-        let raw = match field.kind {
-            Kind::Bool => format!("(uint32_t)({member} != 0)"),
-            Kind::Int | Kind::Uint => format!("(uint{width}_t){member}"),
+        let (width, raw) = (container(field.bits), format!("raw{number}"));
+        let reads = match field.kind {
+            Kind::Bool => vec![format!("const uint32_t {raw} = (uint32_t)({member} != 0);")],
+            Kind::Int | Kind::Uint => vec![format!("const uint{width}_t {raw} = (uint{width}_t){member};")],
             Kind::Real => {
-                lines.push(format!("uint{width}_t raw{number};"));
-                lines.push(format!("memcpy(&raw{number}, &{member}, sizeof raw{number});"));
-                format!("raw{number}")
+                let copied = format!("memcpy(&{raw}, &{member}, sizeof {raw});");
+                vec![format!("uint{width}_t {raw};"), copied]
             }
             Kind::Bytes => {
                 for (byte, at, bits) in split(placed) {
-                    add(&mut parts, &format!("(uint32_t){member}[{byte}]"), at, bits);
+                    add(&mut image, &format!("(uint32_t){member}[{byte}]"), at, bits);
                 }
                 continue;
             }
         };
-        add(&mut parts, &raw, placed.at, field.bits);
+        let first = usize::try_from(placed.at / 8).ok().and_then(|byte| image.get_mut(byte));
+        first.into_iter().for_each(|byte| byte.reads.extend_from_slice(&reads));
+        add(&mut image, &raw, placed.at, field.bits);
     }
-    // declarations before statements
-    lines.sort_by_key(|line| line.starts_with("memcpy"));
-    lines.extend(parts.iter().enumerate().map(|(byte, parts)| match parts.as_slice() {
-        [] => format!("to[{byte}] = 0u;"),
-        parts => format!("to[{byte}] = (uint8_t)({});", parts.join(" | ")),
-    }));
-    lines
+    let lines = image.into_iter().enumerate().flat_map(|(number, Byte { mut reads, parts })| {
+        reads.push(match parts.as_slice() {
+            [] => format!("to[{number}] = 0u;"),
+            parts => format!("to[{number}] = (uint8_t)({});", parts.join(" | ")),
+        });
+        reads
+    });
+    lines.collect()
 }
 
 /// Each byte of a value that is bytes: its number, its first bit in the image, and how many it has.
@@ -77,9 +86,9 @@ fn split(placed: &Placed<'_>) -> impl Iterator<Item = (u32, u32, u32)> {
 }
 
 /// Adds the bits of a value to the bytes that they are in.
-fn add(parts: &mut [Vec<String>], raw: &str, at: u32, bits: u32) {
+fn add(image: &mut [Byte], raw: &str, at: u32, bits: u32) {
     for piece in pieces(at, bits) {
-        let Some(part) = usize::try_from(piece.byte).ok().and_then(|byte| parts.get_mut(byte)) else {
+        let Some(byte) = usize::try_from(piece.byte).ok().and_then(|byte| image.get_mut(byte)) else {
             continue;
         };
         let shifted = match piece.in_value {
@@ -87,7 +96,7 @@ fn add(parts: &mut [Vec<String>], raw: &str, at: u32, bits: u32) {
             by => format!("({raw} >> {by})"),
         };
         let masked = format!("({shifted} & 0x{:02X}u)", piece.mask());
-        part.push(match piece.in_byte {
+        byte.parts.push(match piece.in_byte {
             0 => masked,
             by => format!("({masked} << {by})"),
         });

@@ -26,6 +26,7 @@ const RESERVED: &[&str] = &[
     "state_unknown",
     "error_name",
     "al_status_name",
+    "sdo_write",
 ];
 
 /// Room for what is put behind a name: `_unpack`, or a number.

@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::ToTokens;
 
 use super::doc::Doc;
 use crate::model::{Compare, Pair};
@@ -126,7 +126,7 @@ impl<'a> Item<'a> {
     /// Its code, as these have it.
     pub(super) fn tokens(&self, holders: &Holders<'_>) -> TokenStream {
         let (doc, code) = (self.code)(holders);
-        quote!(#doc #code)
+        documented(&doc, code)
     }
 
     /// Its code in the module of a family, where it says which members have it if not all do.
@@ -134,8 +134,13 @@ impl<'a> Item<'a> {
         let (doc, code) = (self.code)(holders);
         let is_told = !holders.is_all && self.reach == Reach::Public && !doc.is_empty();
         let doc = if is_told { doc.text(&holders.shown()) } else { doc };
-        quote!(#doc #code)
+        documented(&doc, code)
     }
+}
+
+/// The code behind its documentation: moved, where `quote!` would copy each token.
+fn documented(doc: &Doc, code: TokenStream) -> TokenStream {
+    [doc.to_token_stream(), code].into_iter().collect()
 }
 
 impl Part<'_> {

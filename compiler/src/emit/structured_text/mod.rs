@@ -30,7 +30,7 @@ impl Emitter for StructuredText {
     }
 
     fn summary(&self) -> &'static str {
-        "Structured Text of IEC 61131-3: identity, indices, modes, words, states, errors, process data"
+        "Structured Text of IEC 61131-3: identity, indices, modes, words, states, errors, start-up lists, process data"
     }
 
     fn ends(&self) -> &'static [&'static str] {
@@ -55,6 +55,8 @@ fn program(device: &Device, family: &str) -> String {
     let program = Program::of(device, family, &[]);
     let pdos = program.selections.iter().flat_map(|selection| &selection.pdos);
     let records: Vec<_> = pdos.map(layout::record).collect();
-    let context = context! { it => Serde(&program), records => Serde(records) };
+    let writes = program.start_ups.iter().flat_map(|list| &list.writes);
+    let longest = writes.map(|write| write.data.len()).fold(1, usize::max);
+    let context = context! { it => Serde(&program), records => Serde(records), longest };
     template::render("program.st", include_str!("program.st.j2"), text::filters, context)
 }

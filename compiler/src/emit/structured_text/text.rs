@@ -234,6 +234,10 @@ pub(super) fn filters(environment: &mut Environment<'static>) {
     environment.add_filter("based", |number: u64, digits: usize| format!("16#{number:0digits$X}"));
     environment.add_filter("comment", |text: String| comment(&text));
     environment.add_filter("string", |text: String| string(&text));
+    environment.add_filter("bytes", |bytes: Vec<u64>, size: usize| -> String {
+        let bytes = bytes.into_iter().chain(std::iter::repeat(0)).take(size);
+        bytes.map(|byte| format!("16#{byte:02X}")).collect::<Vec<_>>().join(", ")
+    });
     environment.add_filter("bits", |bits: u64| match bits {
         ..=8 => "BYTE",
         9..=16 => "WORD",

@@ -3,15 +3,15 @@
 use super::images::{images, values};
 use super::{Image, Pack, Unpack, Values};
 
-/// The functions whose names begin so.
+/// The functions whose names begin so, with the types that a macro names for the fields.
 macro_rules! c {
     (
-        $pack:literal $unpack:literal $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
+        $held:ident $pack:literal $unpack:literal $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
         $($field:ident: $type:ident at $first:literal, $length:literal;)*
     ) => {
         #[repr(C)]
         pub struct $pdo {
-            $($field: $type,)*
+            $($field: $held!($field $type),)*
         }
 
         values!($image = [$pdo; $count]: $($field)*);
@@ -35,6 +35,13 @@ macro_rules! c {
     };
 }
 
-pub(super) use c;
+/// The type that a field has everywhere.
+macro_rules! whole {
+    ($field:ident $type:ty) => {
+        $type
+    };
+}
 
-images!(c "pack_" "unpack_");
+pub(super) use {c, whole};
+
+images!(c whole "pack_" "unpack_");

@@ -4,6 +4,7 @@ mod binrw;
 mod by_hand;
 mod by_value;
 mod c;
+mod c_generated;
 mod c_packed;
 mod deku;
 mod ethercrab;
@@ -54,6 +55,7 @@ pub fn run(task: &Task) {
         "nothing" nothing
         "C, field by field" c
         "C, packed struct" c_packed
+        "devc, C" c_generated
         "devc, in place" in_place
         "devc, by value" by_value
         "zerocopy" zero_copy

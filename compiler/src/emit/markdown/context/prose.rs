@@ -7,10 +7,10 @@ use crate::model::{Address, Index};
 impl Context<'_> {
     /// Text on one line.
     pub(in crate::emit::markdown) fn prose(&self, plain: &str) -> String {
-        let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
         if !plain.contains('`') {
-            return self.words(&plain);
+            return self.words(plain.trim());
         }
+        let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
         // two in a row open and close nothing, and would stand for other things in Markdown
         if !plain.matches('`').count().is_multiple_of(2) || plain.contains("``") {
             return self.words(&plain);
@@ -89,13 +89,13 @@ fn split_hex(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// Escapes, but leaves a space at either end where it is.
+/// Escapes, but leaves a space at either end where there is one.
 fn keep_spaces(plain: &str, out: &mut String) {
-    if plain.starts_with(' ') {
+    if plain.starts_with(char::is_whitespace) {
         out.push(' ');
     }
     append(plain, out);
-    if plain.ends_with(' ') && plain.len() > 1 {
+    if plain.ends_with(char::is_whitespace) && !plain.trim_start().is_empty() {
         out.push(' ');
     }
 }

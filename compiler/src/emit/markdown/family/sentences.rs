@@ -40,10 +40,16 @@ pub(super) fn is_version(one: &str, other: &str) -> bool {
 
 /// The first sentence, up to its full stop. What holds for some axes only stands in a span, which is in one sentence.
 fn opening(text: &str) -> &str {
-    let is_whole = |part: &str| part.matches("<span").count() == part.matches("</span>").count();
-    let ends = |part: &&str| (part.ends_with('.') || part.ends_with(".</span>")) && is_whole(part);
-    let parts = text.match_indices(' ').filter_map(|(space, _)| text.get(..space));
-    parts.into_iter().find(ends).unwrap_or(text)
+    const END: &str = "</span>";
+    let is_whole = |part: &&str| part.matches("<span").count() == part.matches(END).count();
+    let mut parts = text.match_indices('.').filter_map(|(stop, _)| {
+        let (part, rest) = text.split_at(stop + 1);
+        match rest.strip_prefix(END) {
+            Some(rest) if rest.starts_with(' ') => text.get(..stop + 1 + END.len()),
+            _ => rest.starts_with(' ').then_some(part),
+        }
+    });
+    parts.find(is_whole).unwrap_or(text)
 }
 
 /// Sentences by their full stops.
