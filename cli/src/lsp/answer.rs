@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use devc::assist::{self, Definition, Knowledge, Symbol};
 use devc::format::format;
+use devc::source::{Disk, Loader};
 use lsp_server::ErrorCode;
 use lsp_types::{
     CodeActionParams, CompletionParams, DocumentFormattingParams, DocumentSymbolParams, GotoDefinitionParams,
@@ -69,7 +70,8 @@ fn asked<'s>(
 fn completions(state: &State, at: &TextDocumentPositionParams) -> Option<Value> {
     let (open, offset, knowledge) = asked(state, at)?;
     open.main.as_ref()?;
-    let list = assist::complete(&open.text.text, offset, knowledge);
+    let beside = |folder: &str| neighbours(&name(at.text_document.uri.as_str()).unwrap_or_default(), folder);
+    let list = assist::complete_beside(&open.text.text, offset, knowledge, &beside);
     let items = list.into_iter().enumerate().map(|(place, it)| {
         let written = open.text.text.get(it.replaces.start..offset).unwrap_or_default();
         // an editor filters by what is written there, quotes and all; a name is to be found as well as an index
@@ -85,6 +87,14 @@ fn completions(state: &State, at: &TextDocumentPositionParams) -> Option<Value> 
         })
     });
     Some(json!({ "isIncomplete": false, "items": items.collect::<Vec<_>>() }))
+}
+
+/// The names in a folder that a file would write so, but for its own and hidden ones.
+fn neighbours(file: &Path, folder: &str) -> Vec<String> {
+    let Some(folder) = file.parent().map(|parent| parent.join(folder)) else { return Vec::new() };
+    let names = Disk.list(&folder).unwrap_or_default().into_iter();
+    let others = names.filter(|name| !name.starts_with('.') && folder.join(name) != file);
+    others.map(|name| if folder.join(&name).is_dir() { format!("{name}/") } else { name }).collect()
 }
 
 fn hover(state: &State, at: &TextDocumentPositionParams) -> Option<Value> {

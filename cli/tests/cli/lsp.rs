@@ -390,6 +390,61 @@ fn ids_are_renamed_in_all_files() {
     editor.end();
 }
 
+/// Axes are listed once, and meant wherever something differs on one of them.
+#[test]
+fn axes_are_renamed_in_all_files() {
+    const AXES: &str = "\n[axes]\nnames = [\"Y\", \"W\", \"turn table\"]\nshifts = [{ range = \"0x2000..=0x20FF\", by = 0x100 }]\n\n\
+        [objects.0x2001]\nname = \"Y\"\ntype = \"UINT16\"\nper-axis.Y = { about = \"Y\" }\nper-axis.\"W..=turn table\" = { default = 3 }\n";
+    const OTHER: &str = "[objects.0x2002]\nname = \"Gain\"\ntype = \"UINT16\"\nper-axis = { Y = { default = 1 }, W = { default = 2 } }\n";
+    let (desk, main, more) = desk();
+    let (one, other) = ([MAIN, AXES].concat(), [MORE, OTHER].concat());
+    desk.put("devices/drive/more.toml", &other);
+    let mut editor = Editor::start(&desk);
+    editor.open(&main, &one);
+    editor.open(&more, &other);
+    let mut rename = |uri: &str, text: &str, behind: &str, new: &str| {
+        let mut about = place(uri, text, behind);
+        about["newName"] = json!(new);
+        editor.answer("textDocument/rename", about)
+    };
+    let answer = rename(&main, &one, "per-axis.Y", "left arm");
+    let changes = &answer["result"]["changes"];
+    let in_main = one.replace("[\"Y\"", "[\"left arm\"").replace("per-axis.Y", "per-axis.\"left arm\"");
+    assert_eq!(edited(&one, &changes[&main]), in_main);
+    assert_eq!(edited(&other, &changes[&more]), other.replace("{ Y =", "{ \"left arm\" ="));
+    let answer = rename(&main, &one, "\"Y\", \"W", "U");
+    let changes = &answer["result"]["changes"];
+    assert_eq!(edited(&one, &changes[&main]), one.replace("\"W\"", "\"U\"").replace("\"W..=", "\"U..="));
+    assert_eq!(edited(&other, &changes[&more]), other.replace(" W =", " U ="));
+    let refused = |answer: &Value| answer["error"]["message"].as_str().unwrap_or_default().to_owned();
+    assert!(refused(&rename(&main, &one, "per-axis.Y", "W")).contains("another axis"));
+    assert!(refused(&rename(&main, &one, "per-axis.Y", "A..=B")).contains("no name of an axis"));
+    editor.end();
+}
+
+/// What can be included lies beside the file, or in a folder that one begins to write.
+#[test]
+fn files_to_include_are_completed() {
+    let (desk, main, _) = desk();
+    desk.put("devices/drive/other.toml", "");
+    desk.put("devices/drive/notes.md", "");
+    desk.put("devices/shared/brake.toml", "");
+    let mut editor = Editor::start(&desk);
+    let mut complete = |begun: &str| {
+        let behind = format!("[\"more.toml\", {begun}");
+        let text = MAIN.replace("[\"more.toml\"", &behind);
+        editor.open(&main, &text);
+        let list = editor.at("textDocument/completion", &main, &text, &behind[..behind.len() - 1]);
+        let items = list["items"].as_array().cloned().unwrap_or_default();
+        items.iter().map(|it| it["label"].as_str().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(complete("\"\""), ["other.toml"], "not itself, nor what is there, nor another kind of file");
+    assert_eq!(complete("\"../shared/\""), ["../shared/brake.toml"]);
+    assert_eq!(complete("\"../\""), ["../drive/", "../shared/"]);
+    assert!(complete("\"nowhere/\"").is_empty());
+    editor.end();
+}
+
 #[test]
 fn files_have_an_outline_and_a_layout() {
     let (desk, main, _) = desk();

@@ -32,11 +32,22 @@ pub struct Completion {
 
 /// All that can be written at a byte of a text. Within a character that is before it, and behind the end at the end.
 pub fn complete(text: &str, offset: usize, knowledge: Option<&Knowledge>) -> Vec<Completion> {
+    complete_beside(text, offset, knowledge, &|_| Vec::new())
+}
+
+/// All that can be written at a byte of the text of a file, whose neighbours can be named: `list` has the names in a folder
+/// that is written as the file would write it, those of folders with a slash behind them.
+pub fn complete_beside(
+    text: &str,
+    offset: usize,
+    knowledge: Option<&Knowledge>,
+    list: &dyn Fn(&str) -> Vec<String>,
+) -> Vec<Completion> {
     let offset = (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or_default();
     let cursor = Cursor::at(text, offset);
     let before = text.get(..offset).unwrap_or(text);
     let start = before.len() - word(before).len();
-    let site = Site { cursor: &cursor, knowledge, text, word: word(before), replaces: start..offset };
+    let site = Site { cursor: &cursor, knowledge, list, text, word: word(before), replaces: start..offset };
     match &cursor.slot {
         Slot::Prose => Vec::new(),
         Slot::Header | Slot::Key => site.keys(),
@@ -48,6 +59,7 @@ pub fn complete(text: &str, offset: usize, knowledge: Option<&Knowledge>) -> Vec
 struct Site<'a> {
     cursor: &'a Cursor,
     knowledge: Option<&'a Knowledge>,
+    list: &'a dyn Fn(&str) -> Vec<String>,
     text: &'a str,
     word: &'a str,
     replaces: Range<usize>,
@@ -79,7 +91,7 @@ impl Site<'_> {
         let quote = self.word.chars().next().filter(|c| matches!(c, '"' | '\''));
         let rest = self.text.get(replaces.end..).unwrap_or_default();
         let line = rest.split('\n').next().unwrap_or_default();
-        let is_tail = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | ':' | '.');
+        let is_tail = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | ':' | '.' | '/');
         let tail = line.len() - line.trim_start_matches(is_tail).len();
         if let Some(quote) = quote
             && line.get(tail..).is_some_and(|rest| rest.starts_with(quote))
@@ -156,6 +168,9 @@ impl Site<'_> {
         plain.push(key);
         if let Some(names) = names(&plain) {
             values.extend(self.named(names, plain.first().copied().unwrap_or_default()));
+            if names == Names::Files {
+                values.extend(self.files(key));
+            }
         }
         values
     }
@@ -171,6 +186,28 @@ impl Site<'_> {
             Names::Files => Vec::new(),
             _ => self.knowledge.map(|knowledge| self.things(knowledge, names, section)).unwrap_or_default(),
         }
+    }
+
+    /// The files beside this one, and those in the folder that is being written.
+    fn files(&self, key: &str) -> Vec<Completion> {
+        let end = if key == "include" { ".toml" } else { ".bmp" };
+        let begun = self.word.trim_start_matches(['"', '\'']);
+        let folder = begun.rfind('/').and_then(|place| begun.get(..=place)).unwrap_or_default();
+        let fits = |name: &String| (name.ends_with(end) || name.ends_with('/')) && !self.is_named(name);
+        let names = (self.list)(folder).into_iter().filter(fits);
+        names
+            .map(|name| {
+                let (path, detail) =
+                    (format!("{folder}{name}"), if name.ends_with('/') { "a folder" } else { "a file" });
+                self.value(&path, format!("\"{path}\""), detail.to_owned(), String::new())
+            })
+            .collect()
+    }
+
+    /// Whether the text names a file already.
+    fn is_named(&self, name: &str) -> bool {
+        let mut named = ["\"", "'"].into_iter().map(|quote| format!("{quote}{name}{quote}"));
+        named.any(|quoted| self.text.contains(&quoted))
     }
 
     fn things(&self, knowledge: &Knowledge, names: Names, section: &str) -> Vec<Completion> {

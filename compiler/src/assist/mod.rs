@@ -3,8 +3,10 @@
 //! Texts are looked at as they are written, half a line included. What things there are, to be named, is taken from the
 //! last compilation that could read the files.
 
+mod axis_name;
 mod complete;
 mod define;
+mod edit;
 mod hover;
 mod rename;
 mod spot;
@@ -15,10 +17,11 @@ use crate::compile::Compilation;
 use crate::raw::over_profile;
 use crate::source::{Sources, Table};
 
-pub use complete::{Completion, complete};
+pub use complete::{Completion, complete, complete_beside};
 pub use define::{Definition, define};
+pub use edit::{Refusal, Renaming};
 pub use hover::{Hover, hover};
-pub use rename::{Refusal, Renaming, name_at, rename};
+pub use rename::{name_at, rename};
 pub use symbols::{Symbol, symbols};
 
 /// The things that a description and its profiles define, as far as its files could be read.

@@ -2,18 +2,12 @@
 
 use std::ops::Range;
 
-use super::Knowledge;
+use super::edit::{Refusal, Renaming, inner};
 use super::spot::{Spot, all};
+use super::{Knowledge, axis_name};
 use crate::model::{Section, Shape};
 use crate::reference::relation::{Names, names};
 use crate::source::keys::number;
-
-/// The edits of one file: what to replace, in bytes, with what.
-pub type Renaming = Vec<(Range<usize>, String)>;
-
-/// Why something cannot have another name.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refusal(pub String);
 
 /// What is to be renamed: a thing of a section by its key, or an object by its id.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,6 +26,9 @@ pub fn name_at(
     knowledge: Option<&Knowledge>,
 ) -> Result<Option<(Range<usize>, String)>, Refusal> {
     let Some(spot) = Spot::at(text, offset) else { return Ok(None) };
+    if let Some(axis) = axis_name::named(&spot) {
+        return Ok(inner(&spot, text, axis).map(|at| (at, axis.to_owned())));
+    }
     let Some(name) = name(&spot, knowledge)? else { return Ok(None) };
     Ok(inner(&spot, text, &name.word).map(|at| (at, name.word)))
 }
@@ -47,11 +44,12 @@ pub fn rename(
     files: &[&str],
     knowledge: Option<&Knowledge>,
 ) -> Result<Vec<Renaming>, Refusal> {
-    let name = match Spot::at(text, offset) {
-        Some(spot) => name(&spot, knowledge)?,
-        None => None,
-    };
-    let name = name.ok_or_else(|| Refusal("there is no id here".to_owned()))?;
+    let nothing = || Refusal("there is no id here".to_owned());
+    let spot = Spot::at(text, offset).ok_or_else(nothing)?;
+    if let Some(axis) = axis_name::named(&spot) {
+        return axis_name::rename(axis, new, files);
+    }
+    let name = name(&spot, knowledge)?.ok_or_else(nothing)?;
     let is_word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
     if new.is_empty() || !new.chars().all(is_word) || number(new).is_some() {
         return Err(Refusal(format!("`{new}` is no id: letters, digits and dashes")));
@@ -139,19 +137,4 @@ fn is_about(spot: &Spot, name: &Name, knowledge: Option<&Knowledge>) -> bool {
 fn is_path_to(text: &str, name: &Name) -> bool {
     let mut parts = text.split('.');
     parts.next() == Some(name.section.name()) && parts.next() == Some(&name.word)
-}
-
-/// Where in a spot the word stands, without quotes and what is around it.
-fn inner(spot: &Spot, text: &str, word: &str) -> Option<Range<usize>> {
-    let written = text.get(spot.at.clone())?;
-    let places = written.match_indices(word).map(|(place, _)| place);
-    let is_whole = |place: &usize| {
-        let is_part = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_');
-        let before = written.get(..*place).and_then(|before| before.chars().next_back());
-        let behind = written.get(place + word.len()..).and_then(|behind| behind.chars().next());
-        !before.is_some_and(is_part) && !behind.is_some_and(is_part)
-    };
-    let place = places.into_iter().find(is_whole)?;
-    let start = spot.at.start + place;
-    Some(start..start + word.len())
 }

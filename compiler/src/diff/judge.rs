@@ -53,6 +53,8 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["sync_modes", rest @ ..] => timing::sync_mode(versions, rest, difference),
         ["cycle_times", rest @ ..] => timing::cycle_time(versions, rest, difference),
         ["dead_time", rest @ ..] => timing::dead_time(versions, rest, difference),
+        ["timeouts", "source"] => &kinds::CHANGED_TEXT,
+        ["timeouts", ..] => &kinds::CHANGED_TIMEOUT,
         ["ebus_current"] => transport::current(versions),
         ["no_lrw"] if versions.new.no_lrw => &kinds::SPLIT_COMMANDS,
         ["no_lrw"] => &kinds::JOINED_COMMANDS,
@@ -110,7 +112,6 @@ fn device(path: &[&str]) -> Option<&'static Kind> {
             | "parameters"
             | "coordinates"
             | "registers"
-            | "timeouts"
             | "telegrams"
             | "limits"
             | "master_settings"
@@ -162,6 +163,12 @@ enum Presence {
     Gone,
     Come,
     Both,
+}
+
+impl Presence {
+    fn is_gone(&self) -> bool {
+        matches!(self, Self::Gone)
+    }
 }
 
 fn presence(difference: &Difference) -> Presence {

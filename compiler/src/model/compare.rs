@@ -235,7 +235,7 @@ macro_rules! compared {
                 let found: &mut dyn FnMut($crate::model::Difference) =
                     &mut |difference| found(difference.written(depth, first, second));
                 $(
-                    path.within(stringify!($field), |path| {
+                    path.within(stringify!($field).trim_start_matches("r#"), |path| {
                         $crate::model::Compare::compare(&self.$field, &other.$field, path, found);
                     });
                 )*

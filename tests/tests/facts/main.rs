@@ -6,11 +6,13 @@
 mod places;
 mod samples;
 
+use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::LazyLock;
 use std::thread;
 
 use devc::diagnostic::{Diagnostics, Level};
-use devc::diff::Change;
+use devc::diff::{Change, Class};
 use devc::emit::{self, Emitter};
 use devc::lint::{Checked, Levels};
 use devc::model::Family;
@@ -57,6 +59,8 @@ struct Found {
     lost: Vec<String>,
     /// The keys that change the model, and the comparison tells nothing or something twice.
     untold: Vec<String>,
+    /// The keys whose change only people notice, where the names of things are `*`.
+    documentation: BTreeSet<String>,
 }
 
 impl Found {
@@ -64,6 +68,7 @@ impl Found {
         self.tried += other.tried;
         self.lost.extend(other.lost);
         self.untold.extend(other.untold);
+        self.documentation.extend(other.documentation);
     }
 }
 
@@ -74,6 +79,13 @@ fn is_told(before: &Outcome, after: &Outcome) -> bool {
     let is_twice =
         |(place, change): (usize, &Change)| changes.iter().skip(place + 1).any(|other| other == change);
     !changes.is_empty() && !changes.iter().enumerate().any(is_twice)
+}
+
+/// Whether the comparison of two outcomes tells what only people notice.
+fn is_documentation(before: &Outcome, after: &Outcome) -> bool {
+    let (Some(old), Some(new)) = (&before.family, &after.family) else { return false };
+    let changes = devc::diff::compare(old, new).changes;
+    !changes.is_empty() && changes.iter().all(|change| change.kind.class == Class::Documentation)
 }
 
 fn messages(diagnostics: &Diagnostics) -> Vec<String> {
@@ -114,6 +126,9 @@ fn set_everything(description: &str) -> Found {
             Some(after) if after.model != before.model && !is_told(&before, &after) => {
                 found.untold.push(format!("{place}.{key}"));
             }
+            Some(after) if is_documentation(&before, &after) => {
+                found.documentation.insert(format!("{}.{key}", place.kind()));
+            }
             Some(_) => {}
         }
         found
@@ -133,15 +148,30 @@ fn set_everything(description: &str) -> Found {
 }
 
 fn judge(found: &Found, at_least: usize) {
-    let Found { tried, lost, untold } = found;
+    let Found { tried, lost, untold, .. } = found;
     assert!(*tried > at_least, "only {tried} keys were tried");
     assert!(lost.is_empty(), "{} of {tried} are lost:\n{}", lost.len(), lost.join("\n"));
     assert!(untold.is_empty(), "{} of {tried} are no change, or twice:\n{}", untold.len(), untold.join("\n"));
 }
 
+/// What comes of setting every key of the base.
+static BASE: LazyLock<Found> = LazyLock::new(|| set_everything(include_str!("base.toml")));
+
 #[test]
 fn no_written_fact_is_lost() {
-    judge(&set_everything(include_str!("base.toml")), 700);
+    judge(&BASE, 700);
+}
+
+/// A key is of the class that masters notice unless somebody decided that none does: those stand in a list.
+#[test]
+fn what_counts_as_documentation_was_decided() {
+    let list = include_str!("documentation.txt").lines().map(str::trim);
+    let decided: BTreeSet<String> =
+        list.filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_owned).collect();
+    let new: Vec<&String> = BASE.documentation.difference(&decided).collect();
+    assert!(new.is_empty(), "count as documentation, and nobody decided it: {new:#?}");
+    let old: Vec<&String> = decided.difference(&BASE.documentation).collect();
+    assert!(old.is_empty(), "stand in the list, and masters notice them, or they are gone: {old:#?}");
 }
 
 #[test]

@@ -15,13 +15,15 @@ pub(crate) struct Place {
 #[derive(Debug, Clone, PartialEq)]
 enum Step {
     Key(String),
+    /// The key of a thing, as the file calls it.
+    Thing(String),
     Item(usize),
 }
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let steps = self.path.iter().map(|step| match step {
-            Step::Key(key) => key.clone(),
+            Step::Key(key) | Step::Thing(key) => key.clone(),
             Step::Item(place) => place.to_string(),
         });
         f.write_str(&steps.collect::<Vec<_>>().join("."))
@@ -48,9 +50,12 @@ fn walk(value: &Value, holds: &Json, path: Vec<Step>, schema: &Json, found: &mut
                 found.push(Place { path: path.clone(), schema: holds.clone() });
             }
             for (key, value) in table {
-                let inner = holds["properties"].get(key).or_else(|| holds.get("additionalProperties"));
+                let (inner, step) = match holds["properties"].get(key) {
+                    Some(inner) => (Some(inner), Step::Key(key.clone())),
+                    None => (holds.get("additionalProperties"), Step::Thing(key.clone())),
+                };
                 if let Some(inner) = inner.filter(|inner| inner.is_object()) {
-                    walk(value, inner, further(Step::Key(key.clone())), schema, found);
+                    walk(value, inner, further(step), schema, found);
                 }
             }
         }
@@ -85,6 +90,15 @@ fn table_of(holds: &Json, schema: &Json) -> Json {
 }
 
 impl Place {
+    /// The path, with a star for what the file has names for.
+    pub(crate) fn kind(&self) -> String {
+        let steps = self.path.iter().map(|step| match step {
+            Step::Key(key) => key.as_str(),
+            Step::Thing(_) | Step::Item(_) => "*",
+        });
+        steps.collect::<Vec<_>>().join(".")
+    }
+
     /// The keys that the table can have, with what each holds. Tables in it have places of their own.
     pub(crate) fn keys(&self, schema: &Json) -> Vec<(String, Json)> {
         let keys = self.schema["properties"].as_object().cloned().unwrap_or_default();
@@ -99,7 +113,7 @@ impl Place {
         let mut table = &mut changed;
         for step in &self.path {
             table = match step {
-                Step::Key(key) => table.get_mut(key)?,
+                Step::Key(key) | Step::Thing(key) => table.get_mut(key)?,
                 Step::Item(place) => table.get_mut(*place)?,
             };
         }

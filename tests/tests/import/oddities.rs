@@ -86,3 +86,21 @@ fn a_text_of_no_length_gets_one_and_it_is_said() {
         "{told:?}"
     );
 }
+
+/// Names that count need one line, with zeros in front as well.
+#[test]
+fn names_that_count_with_zeros_in_front_are_said_once() {
+    let object = "<Object><Index>#x2000</Index><Name>Messages</Name><Type>DTM</Type><BitSize>80</BitSize>\
+        <Flags><Access>ro</Access></Flags></Object>";
+    for (first, second, said) in [("009", "010", "{+8:03}"), ("01", "02", "{:02}"), ("9", "10", "{+8}")] {
+        let xml = file("", object, "").replace("SubIndex 001", &format!("Message {first}"));
+        let trip = trip(xml.replace("SubIndex 002", &format!("Message {second}")).as_bytes(), 1)
+            .expect("a round trip");
+        assert!(
+            text(&trip).contains(&format!("\"1..=2\" = {{ name = \"Message {said}\"")),
+            "{said}: {}",
+            text(&trip)
+        );
+        assert_eq!(trip.silent, Vec::<String>::new());
+    }
+}

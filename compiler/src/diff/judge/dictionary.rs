@@ -33,6 +33,9 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
             return versions.object(key).filter(|(old, new)| old.name == new.name).map(|_| &kinds::RENAMED);
         }
         ["functional"] => function(difference),
+        // Said of no way of transfer, both are allowed.
+        ["sdo_access"] if presence(difference).is_gone() => &kinds::WIDENED_ACCESS,
+        ["sdo_access"] => &kinds::NARROWED_ACCESS,
         ["entries", address, rest @ ..] => return of_entry(versions, key, address, rest, difference),
         // They follow from how the axes are arranged, and from what PDOs there are.
         ["leading" | "axis" | "derived"] => return None,

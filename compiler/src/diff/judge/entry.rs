@@ -36,6 +36,10 @@ pub(super) fn judge(
         ["unit"] => units::of_entry(versions, old, new),
         ["trigger", ..] => &kinds::CHANGED_TRIGGER,
         ["functional"] => function(difference),
+        ["safety"] => &kinds::CHANGED_SAFETY,
+        ["backup"] if new.backup => &kinds::SAVED_VALUE,
+        ["setting"] if new.setting => &kinds::SAVED_VALUE,
+        ["backup" | "setting"] => &kinds::UNSAVED_VALUE,
         ["name"] => &kinds::RENAMED,
         // The word follows from the name, unless it is chosen.
         ["id"] if old.name == new.name => &kinds::RENAMED,

@@ -69,6 +69,12 @@ kinds! { Compatible:
     /// One command reads and writes process data (LRW); those that do one of it still work.
     JOINED_COMMANDS = "joined-commands", "process data can be read and written by one command";
 
+    /// Tools save a value with the settings of a machine.
+    SAVED_VALUE = "saved-value", "tools save a value";
+
+    /// A master is to wait for another time. Those that are set up keep theirs.
+    CHANGED_TIMEOUT = "changed-timeout", "a master is to wait for another time";
+
     /// There is another start-up configuration to choose.
     ADDED_START_UP = "added-start-up", "there is another start-up configuration";
 

@@ -35,6 +35,14 @@ kinds! { ConfigurationBreaking:
     /// Writing a value sets off something else, or nothing.
     CHANGED_TRIGGER = "changed-trigger", "writing a value sets off something else";
 
+    /// Tools no longer save a value with the settings of a machine: a device that takes the place of another one starts
+    /// without it.
+    UNSAVED_VALUE = "unsaved-value", "tools no longer save a value";
+
+    /// A value is another one to the safety of a machine: a safe input or output, or a parameter that safety depends on. Tools
+    /// for safety map and check it by that, and have to set it up again.
+    CHANGED_SAFETY = "changed-safety", "a value is another one to the safety of a machine";
+
     /// What is there does nothing any more; reading and writing it still works.
     LOST_FUNCTION = "lost-function", "an object does nothing any more";
 

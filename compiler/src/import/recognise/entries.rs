@@ -136,7 +136,7 @@ fn joins(run: &mut Own, next: &Own) -> bool {
     true
 }
 
-/// The name with its last number in braces, as a distance from the subindex.
+/// The name with its last number in braces, as a distance from the subindex, and with its digits if there are zeros in front.
 fn pattern(name: &str, subindex: u8) -> Option<String> {
     if name.contains(['{', '}']) {
         return None;
@@ -144,9 +144,16 @@ fn pattern(name: &str, subindex: u8) -> Option<String> {
     let end = name.rfind(|char: char| char.is_ascii_digit())? + 1;
     let start = name.get(..end)?.trim_end_matches(|char: char| char.is_ascii_digit()).len();
     let digits = name.get(start..end)?;
-    let number: i32 = digits.parse().ok().filter(|_| digits.len() == 1 || !digits.starts_with('0'))?;
+    let number: i32 = digits.parse().ok()?;
     let distance = number - i32::from(subindex);
-    let braces = if distance == 0 { "{}".to_owned() } else { format!("{{{distance:+}}}") };
+    let width = if digits.len() > 1 && digits.starts_with('0') { digits.len() } else { 0 };
+    let braces = match (distance, width) {
+        (0, 0) => "{}".to_owned(),
+        (_, 0) => format!("{{{distance:+}}}"),
+        (0, 1..=9) => format!("{{:0{width}}}"),
+        (_, 1..=9) => format!("{{{distance:+}:0{width}}}"),
+        _ => return None,
+    };
     Some(format!("{}{braces}{}", name.get(..start)?, name.get(end..)?))
 }
 
@@ -154,8 +161,10 @@ fn pattern(name: &str, subindex: u8) -> Option<String> {
 fn filled(pattern: &str, subindex: u8) -> Option<String> {
     let (head, rest) = pattern.split_once('{')?;
     let (distance, tail) = rest.split_once('}')?;
+    let (distance, width) = distance.split_once(":0").unwrap_or((distance, "0"));
     let distance: i32 = if distance.is_empty() { 0 } else { distance.parse().ok()? };
-    Some(format!("{head}{}{tail}", i32::from(subindex) + distance))
+    let (number, width): (i32, usize) = (i32::from(subindex) + distance, width.parse().ok()?);
+    Some(format!("{head}{number:0width$}{tail}"))
 }
 
 fn table(run: &Own) -> (String, Toml) {
