@@ -43,7 +43,7 @@ pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     }
     let mut seen = Vec::new();
     let mut paths = Vec::new();
-    for path in given.iter().flat_map(whole_folders) {
+    for path in given.iter().flat_map(|path| whole_folders(path)) {
         let canonical = fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
         if !seen.contains(&canonical) {
             seen.push(canonical);
@@ -54,9 +54,9 @@ pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// The descriptions in a folder that is none itself; what holds none is reported when it is read.
-fn whole_folders(path: &PathBuf) -> Vec<PathBuf> {
+fn whole_folders(path: &Path) -> Vec<PathBuf> {
     let within = if is_there(&path.join(MAIN_FILE)) { Ok(Vec::new()) } else { within(path) };
-    within.ok().filter(|within| !within.is_empty()).unwrap_or_else(|| vec![path.clone()])
+    within.ok().filter(|within| !within.is_empty()).unwrap_or_else(|| vec![path.to_owned()])
 }
 
 /// The descriptions in `devices`, of which there is at least one.
