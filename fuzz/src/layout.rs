@@ -51,10 +51,11 @@ fn means_the_same(files: &Files) {
     }
 }
 
-/// Lays out all files that are TOML, and asserts that doing it again changes nothing.
+/// Lays out all files that are TOML, and asserts that doing it again changes nothing. A picture is none, whatever is in it.
 fn laid_out(files: &Files) -> Files {
     let lay_out = |(name, text): (&String, &String)| {
         let new = match format(name, text) {
+            Ok(_) if !name.ends_with(".toml") => text.clone(),
             Ok(once) => {
                 let twice = format(name, &once).map_err(|_| "what was laid out is TOML");
                 assert_eq!(twice.as_ref(), Ok(&once), "{name} laid out twice, from\n{text}");
