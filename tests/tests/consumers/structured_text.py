@@ -20,8 +20,10 @@ def faults(node):
         yield from faults(child)
 
 
+# Of IEC 61131-3 the grammar lacks initial values of structs within arrays, which blark reads.
+simple = re.sub(r" := \[\n.*?\n    \];", ";", source, flags=re.S)
 parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_iec61131_3_st.language()))
-if found := list(faults(parser.parse(source.encode()).root_node)):
+if found := list(faults(parser.parse(simple.encode()).root_node)):
     sys.exit("\n".join(found[:20]))
 
 if sys.argv[2:] == ["grammar"]:
