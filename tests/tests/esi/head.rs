@@ -187,7 +187,7 @@ fn device_vendor() -> u32 {
 }
 
 /// What an ESI has elements for (ETG.2000): identity, mailbox and clocks whole, of a sync manager all but how many PDOs it
-/// takes. It has none for what a drive does: words, states, modes, errors, units.
+/// takes. It has none for what a drive does: words, states, modes, errors.
 #[test]
 fn what_is_assumed_can_be_read_at_the_head_if_the_file_has_it() {
     let whole = [Section::Identity, Section::Mailbox];
@@ -198,12 +198,11 @@ fn what_is_assumed_can_be_read_at_the_head_if_the_file_has_it() {
         Section::Transitions,
         Section::Modes,
         Section::Errors,
-        Section::Units,
         Section::Registers,
         Section::Leds,
         Section::Limits,
     ];
-    let (mut seen, mut left_out) = (0, 0);
+    let (mut seen, mut left_out, mut units) = (0, 0, 0);
     for subject in subjects() {
         let head = subject.xml.split("<EtherCATInfo").next().unwrap();
         for assumption in subject.family.members.iter().flat_map(|device| &device.assumptions) {
@@ -216,13 +215,21 @@ fn what_is_assumed_can_be_read_at_the_head_if_the_file_has_it() {
                 assert!(head.contains(&at.to_string()) && head.contains(&reason), "{at} is not at the head");
                 seen += 1;
             }
+            // The unit of a value, where it has a code: an element of its object.
+            if let (Section::Objects, Some("unit")) = (at.section, at.path.as_deref()) {
+                let index = at.to_string().replace("0x", "#x").replace(".unit", "");
+                let object = subject.xml.split("<Object").find(|it| it.contains(&format!("<Index>{index}<")));
+                let has_unit = object.is_some_and(|object| object.contains("<Unit>"));
+                assert_eq!(head.contains(&format!("- {at}")), has_unit, "{at}");
+                units += 1;
+            }
             if never.contains(&at.section) {
                 assert!(!head.contains(&format!("- {at}")), "{at} is at the head");
                 left_out += 1;
             }
         }
     }
-    assert!(seen > 10 && left_out > 10, "{seen} seen, {left_out} left out");
+    assert!(seen > 10 && left_out > 10 && units > 3, "{seen} seen, {left_out} left out, {units} units");
 }
 
 #[test]

@@ -6,7 +6,9 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::literal::prose;
-use crate::model::{Assumption, Device, Family, Section};
+use super::unit;
+use crate::model::{Assumption, Device, Family, Place, Section};
+use crate::source::parts;
 
 /// What of a PDO is in the file.
 const OF_PDO: &[&str] =
@@ -47,8 +49,11 @@ const IN_FILE: &[(Section, &[&str])] = &[
             "id-address",
         ],
     ),
-    (Section::Eeprom, &["size", "config-data"]),
+    (Section::Eeprom, &["size", "config-data", "bootstrap"]),
     (Section::Axes, &["names", "add-info"]),
+    (Section::Modules, &["name", "axes"]),
+    (Section::Enumerations, &["values"]),
+    (Section::Units, &["symbol", "raw-per-unit"]),
     (
         Section::Slots,
         &["name", "names", "min", "max", "index-step", "pdo-step", "modules", "default", "classes"],
@@ -87,11 +92,13 @@ const IN_FILE: &[(Section, &[&str])] = &[
         &[
             "name",
             "names",
+            "kind",
             "type",
             "access",
             "pdo",
             "safety",
             "category",
+            "unit",
             "default",
             "min",
             "max",
@@ -99,6 +106,8 @@ const IN_FILE: &[(Section, &[&str])] = &[
             "written",
             "entries",
             "about",
+            "note",
+            "functional",
             "backup",
             "setting",
             "sdo-access",
@@ -115,8 +124,23 @@ fn is_in_file(assumption: &Assumption, device: &Device) -> bool {
             .is_some_and(|default| assumption.at.key == Section::Configurations.at(&default.id).key);
     }
     let keys = IN_FILE.iter().find(|(section, _)| *section == assumption.at.section).map(|(_, keys)| keys);
-    let first = assumption.at.path.as_deref().and_then(|path| path.split('.').next());
+    let mut path = assumption.at.path.iter().flat_map(|path| parts(path));
+    // behind `per-axis` the axis comes, and then the key
+    let first = path.next().and_then(|first| if first == "per-axis" { path.nth(1) } else { Some(first) });
+    let is_unit = assumption.at.section == Section::Units || first == Some("unit");
     keys.is_some_and(|keys| first.is_none_or(|first| keys.contains(&first)))
+        && (!is_unit || has_unit(&assumption.at, device))
+}
+
+/// Whether values at a place, or in a unit, have a unit in the file: not each has a code.
+fn has_unit(place: &Place, device: &Device) -> bool {
+    let entries =
+        device.objects.iter().flat_map(|object| object.entries.iter().map(move |entry| (object, entry)));
+    let mut meant = entries.filter(|(object, entry)| match place.section {
+        Section::Units => entry.unit.iter().any(|unit| Section::Units.at(unit).key == place.key),
+        _ => Place::from(object.index).key == place.key,
+    });
+    meant.any(|(object, entry)| unit::of(device, entry, object.axis).is_some())
 }
 
 /// What the file says although the description does not.

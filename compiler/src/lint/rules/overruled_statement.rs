@@ -1,11 +1,11 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Object};
+use crate::model::{Device, Kind, Object};
 use crate::source::Layer;
 
 rule! {
     /// What the table of a record or an array says of its value holds for each entry that does not say otherwise. If all
-    /// of them do, it holds for none, and whoever reads it is misled.
+    /// of them do, or there are none, it holds for none, and whoever reads it is misled.
     ///
     /// ## Fires
     /// ```toml
@@ -33,16 +33,21 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for object in device.objects.iter().filter(|object| object.entries.len() > 1) {
+    // What a variable says, it says of its only entry.
+    for object in device.objects.iter().filter(|object| object.kind != Kind::Var || object.entries.len() > 1)
+    {
         for key in crate::raw::SHARED.iter().filter(|key| is_overruled(object, key)) {
             let message = format!("the `{key}` of {} holds for none of its entries", object.index);
             let at = object.origin.value(key);
-            let entries = object.entries.iter().find(|entry| entry.address.subindex > 0);
-            let own = entries.map(|entry| entry.origin.value(key));
-            let diagnostic = Diagnostic::new(&RULE, message, at, "overruled by each entry");
-            let diagnostic =
-                own.into_iter().fold(diagnostic, |diagnostic, own| diagnostic.label(own, "as here"));
-            report.push(object.index, diagnostic.help("take it out, or out of the entries that share it"));
+            let first = object.entries.iter().find(|entry| entry.address.subindex > 0);
+            let diagnostic = match first {
+                Some(entry) => Diagnostic::new(&RULE, message, at, "overruled by each entry")
+                    .label(entry.origin.value(key), "as here")
+                    .help("take it out, or out of the entries that share it"),
+                None => Diagnostic::new(&RULE, message, at, "there is none behind subindex 0")
+                    .help("take it out, or describe the entries"),
+            };
+            report.push(object.index, diagnostic);
         }
     }
 }
