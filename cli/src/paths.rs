@@ -36,14 +36,14 @@ pub(super) fn descriptions(given: &[PathBuf], report: &Report) -> Result<Vec<Pat
 /// in `devices`.
 pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     if given.is_empty() {
-        return match is_there(&PathBuf::from(MAIN_FILE)) {
+        return match is_there(Path::new(MAIN_FILE)) {
             true => Ok(vec![PathBuf::from(".")]),
             false => shipped(&root().unwrap_or_default().join(DEVICES)),
         };
     }
     let mut seen = Vec::new();
     let mut paths = Vec::new();
-    for path in given.iter().flat_map(|path| whole_folders(path)) {
+    for path in given.iter().flat_map(|path| or_within(path)) {
         let canonical = fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
         if !seen.contains(&canonical) {
             seen.push(canonical);
@@ -53,10 +53,12 @@ pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     Ok(paths)
 }
 
-/// The descriptions in a folder that is none itself; what holds none is reported when it is read.
-fn whole_folders(path: &Path) -> Vec<PathBuf> {
-    let within = if is_there(&path.join(MAIN_FILE)) { Ok(Vec::new()) } else { within(path) };
-    within.ok().filter(|within| !within.is_empty()).unwrap_or_else(|| vec![path.to_owned()])
+/// A description, or those in a folder that is none itself; what holds none is reported when it is read.
+fn or_within(path: &Path) -> Vec<PathBuf> {
+    if is_there(&path.join(MAIN_FILE)) {
+        return vec![path.to_owned()];
+    }
+    within(path).ok().filter(|within| !within.is_empty()).unwrap_or_else(|| vec![path.to_owned()])
 }
 
 /// The descriptions in `devices`, of which there is at least one.

@@ -32,23 +32,22 @@ struct Carried {
 impl Occupant {
     /// What an axis has that is such a module.
     pub(crate) fn new(device: &Device, module: &Module, axis: &Axis) -> Self {
-        let on_axis = |leading| {
-            let all = device.repetitions.iter().find(|all| all.leading == leading)?;
-            all.axes.get(usize::from(axis.number)).copied().flatten()
+        let on_axis = || {
+            let all = device.repetitions.iter();
+            all.filter_map(|all| Some((all.leading, (*all.axes.get(usize::from(axis.number))?)?)))
         };
-        let leading = || device.repetitions.iter().map(|all| all.leading);
-        let object = |leading| {
-            let object = device.object(on_axis(leading)?)?;
+        let object = |(leading, index)| {
+            let object = device.object(index)?;
             device.slot_of(object).map(|_| (leading, object.clone()))
         };
-        let pdo = |leading| Some((leading, Carried::new(device, device.pdo(on_axis(leading)?)?)));
+        let pdo = |(leading, index)| Some((leading, Carried::new(device, device.pdo(index)?)));
         Self {
             module: module.ident,
             axis: axis.name.clone(),
             header: module.origin.header(),
             name: module.name.clone(),
-            objects: leading().filter_map(object).collect(),
-            pdos: leading().filter_map(pdo).collect(),
+            objects: on_axis().filter_map(object).collect(),
+            pdos: on_axis().filter_map(pdo).collect(),
         }
     }
 }

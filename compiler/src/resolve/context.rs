@@ -155,7 +155,7 @@ impl Context<'_> {
     /// Whether a reference names one of several things; reports it if it does not.
     pub(super) fn bind(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
         let fault = self.unbound(text, known, what, at, |name| format!("\"{name}\""));
-        fault.map(|fault| self.diagnostics.push(fault)).is_none()
+        self.is_bound(fault)
     }
 
     /// Binds a reference to a table of a section, or reports that there is none and how to write it.
@@ -175,7 +175,14 @@ impl Context<'_> {
     /// Whether a key names one of several things; reports it if it does not.
     pub(super) fn bind_key(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
         let fault = self.unbound(text, known, what, at, str::to_owned);
-        fault.map(|fault| self.diagnostics.push(fault)).is_none()
+        self.is_bound(fault)
+    }
+
+    /// Whether nothing was wrong; reports it if something was.
+    fn is_bound(&mut self, fault: Option<Diagnostic>) -> bool {
+        let is_bound = fault.is_none();
+        fault.into_iter().for_each(|fault| self.diagnostics.push(fault));
+        is_bound
     }
 
     /// What is wrong with a word that names none of several things.

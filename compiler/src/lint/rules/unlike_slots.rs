@@ -44,31 +44,30 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for module in &device.modules {
-        let found = between_axes(device, module).into_iter().chain(between_members(device, module, report));
-        for diagnostic in found.collect::<Vec<_>>() {
+        let axes = device.axes_of(module);
+        let occupants: Vec<_> = axes.map(|axis| Occupant::new(device, module, axis)).collect();
+        let Some((first, others)) = occupants.split_first() else { continue };
+        let members = between_members(device, module, first, report);
+        for diagnostic in between_axes(module, first, others).chain(members) {
             report.push(Section::Modules.at(module.ident), diagnostic);
         }
     }
 }
 
 /// How the other axes that are such a module differ from the first.
-fn between_axes(device: &Device, module: &Module) -> Vec<Diagnostic> {
-    let mut occupants = device.axes_of(module).map(|axis| Occupant::new(device, module, axis));
-    let Some(first) = occupants.next() else { return Vec::new() };
-    let told = occupants.filter_map(|other| {
-        let diagnostic = judge(module, [&first, &other], "axes", [&first.axis, &other.axis])?;
+fn between_axes(module: &Module, first: &Occupant, others: &[Occupant]) -> impl Iterator<Item = Diagnostic> {
+    others.iter().filter_map(|other| {
+        let diagnostic = judge(module, [first, other], "axes", [&first.axis, &other.axis])?;
         Some(diagnostic.help(format!("give `{}` a module of its own", other.axis)))
-    });
-    told.collect()
+    })
 }
 
 /// How the module differs from that of the first member that has it.
-fn between_members(device: &Device, module: &Module, report: &Report) -> Option<Diagnostic> {
-    let mine = Occupant::new(device, module, device.axes_of(module).next()?);
+fn between_members(device: &Device, module: &Module, mine: &Occupant, report: &Report) -> Option<Diagnostic> {
     let earlier =
         report.earlier().iter().flat_map(|member| member.occupants.iter().map(move |it| (member, it)));
     let (member, first) = earlier.into_iter().find(|(_, occupant)| occupant.module == module.ident)?;
-    let diagnostic = judge(module, [first, &mine], "members", [&member.id, &device.id])?;
+    let diagnostic = judge(module, [first, mine], "members", [&member.id, &device.id])?;
     Some(diagnostic.help("give the module of one of them a number of its own"))
 }
 
