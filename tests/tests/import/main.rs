@@ -19,5 +19,6 @@ mod round_trip;
 mod sdos;
 mod sheets;
 mod special;
+mod start_up;
 mod texts;
 mod transport;

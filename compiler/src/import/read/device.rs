@@ -153,8 +153,16 @@ fn init_cmd(element: &Element<'_>) -> Option<InitCmd> {
     let subindex = element.child_as("SubIndex", number).unwrap_or(0);
     let data = element.child_as("Data", bytes)?;
     let transitions = element.all("Transition").map(|it| it.text().to_owned()).collect();
-    let comment = words::name(element, "Comment");
-    Some(InitCmd { at: element.at(), transitions, index, subindex, data, comment, facts: element.facts() })
+    Some(InitCmd {
+        at: element.at(),
+        transitions,
+        index,
+        subindex,
+        data,
+        complete_access: element.attribute_as("CompleteAccess", truth).unwrap_or(false),
+        comment: words::name(element, "Comment"),
+        facts: element.facts(),
+    })
 }
 
 fn op_mode(element: &Element<'_>) -> OpMode {

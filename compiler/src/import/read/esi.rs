@@ -181,6 +181,8 @@ pub(crate) struct InitCmd {
     pub(crate) index: u16,
     pub(crate) subindex: u8,
     pub(crate) data: Vec<u8>,
+    /// Whether it writes an object as a whole.
+    pub(crate) complete_access: bool,
     pub(crate) comment: Option<String>,
     /// How many facts it is.
     pub(crate) facts: usize,

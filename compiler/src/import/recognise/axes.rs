@@ -135,6 +135,12 @@ impl Axes {
         (1..self.count).contains(&axis) && self.shared.contains_key(&(index - axis * OBJECTS))
     }
 
+    /// The indices that an object of the first axis has on all of them; its own if it is not one of these.
+    pub(super) fn indices(&self, leading: u16) -> Vec<u16> {
+        let axes = if self.shared.contains_key(&leading) { self.count } else { 1 };
+        (0..axes).map(|axis| leading + axis * OBJECTS).collect()
+    }
+
     /// Adds what differs on other axes to the table of an object.
     pub(super) fn complete(&self, index: u16, block: &mut Block) {
         if let Some(differing) = self.shared.get(&index).filter(|it| !it.is_empty()) {

@@ -1,8 +1,10 @@
 //! What an ESI file means, in the words of a description.
 
+mod assigned;
 mod axes;
 mod axis_names;
 mod choices;
+mod chosen;
 mod clocks;
 mod derived;
 mod described;
@@ -30,7 +32,7 @@ pub(super) use family::family;
 
 use std::collections::BTreeSet;
 
-use super::read::{Device, Esi, Object, Pdo};
+use super::read::{Device, Esi, InitCmd, Object, Pdo};
 use super::report::Report;
 use super::toml::Toml;
 use axes::Axes;
@@ -76,8 +78,9 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let carriers = clocks::Carriers { managers: &managers, pdos: [&rx, &tx] };
     draft.device.extend(clocks::sync_modes(&device.op_modes, &carriers, report));
     draft.device.extend(choices::configurations(&device.alternatives, &carriers, report));
-    let commands = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands);
-    draft.device.extend(start_up::configuration(commands, &references, report));
+    let surroundings = chosen::Surroundings { references: &references, axes: &axes, basis: &basis };
+    let commands: Vec<&InitCmd> = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands).collect();
+    draft.device.extend(start_up::configuration(&commands, &surroundings, report));
     draft.diagnosis = diagnosis::blocks(&device.messages, report);
     draft
 }
