@@ -15,6 +15,7 @@ mod modules;
 mod objects;
 mod oddities;
 mod own_sheets;
+mod profile;
 mod round_trip;
 mod sdos;
 mod sheets;

@@ -148,8 +148,13 @@ impl Axes {
         }
     }
 
-    /// `[axes]`.
-    pub(super) fn block(&self, objects: &[Described], report: &mut Report) -> Option<Block> {
+    /// `[axes]`, with what each of them is.
+    pub(super) fn block(
+        &self,
+        objects: &[Described],
+        kind: Option<u16>,
+        report: &mut Report,
+    ) -> Option<Block> {
         let first = objects.iter().find(|it| it.index == 0x6040).filter(|_| self.count > 1)?;
         if !self.are_named {
             let why = format!("there are {}, called by letters", self.count);
@@ -165,6 +170,7 @@ impl Axes {
         ];
         let step = (self.pdo_step != PDOS).then(|| Toml::Hex(self.pdo_step.into(), 2));
         set_some(&mut keys, "pdo-shift", step);
+        set_some(&mut keys, "add-info", kind.map(|kind| Toml::Integer(kind.into())));
         Some(Block {
             remarks: if self.are_named {
                 Vec::new()
