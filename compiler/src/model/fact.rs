@@ -67,7 +67,7 @@ part! {
 
 model! {
     /// Something that no source states.
-    pub struct Assumption {
+    pub struct Assumption by at {
         /// What it is about.
         pub at: Place,
         /// What is taken to be so, if it is a single value.

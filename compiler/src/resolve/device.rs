@@ -126,6 +126,9 @@ fn by_direction(pdos: Vec<Pdo>) -> Vec<Pdo> {
 
 /// The settings, each with its place in the dictionary.
 fn parameters(context: &Context<'_>, mut parameters: Vec<Parameter>) -> Vec<Parameter> {
-    parameters.iter_mut().for_each(|parameter| parameter.address = context.names.coordinate(&parameter.id));
+    for parameter in &mut parameters {
+        let element = if parameter.has_elements() { "[0]" } else { "" };
+        parameter.address = context.names.coordinate(&format!("{}{element}", parameter.id));
+    }
     parameters
 }
