@@ -61,7 +61,6 @@ mod transport;
 mod type_name;
 mod unit;
 #[cfg(any(feature = "esi", feature = "import"))]
-#[cfg_attr(not(all(feature = "esi", feature = "import")), allow(dead_code))]
 mod unit_code;
 mod value;
 mod word;

@@ -131,3 +131,25 @@ fn what_is_in_another_file_is_said_to_be() {
         ("Profile/DictionaryFile", "it is in another file, and no other file is read")
     );
 }
+
+#[test]
+fn entries_of_a_fixed_pdo_are_fixed() {
+    let pdo = |fixed: u8, entry: u8| {
+        let after = format!(
+            "<Sm StartAddress=\"#x1000\" ControlByte=\"#x64\" Enable=\"1\">Outputs</Sm><RxPdo Fixed=\"{fixed}\" Sm=\"0\"><Index>#x1600\
+             </Index><Name>P</Name><Entry Fixed=\"{entry}\"><Index>0</Index><BitLen>8</BitLen></Entry></RxPdo>"
+        );
+        let report = imported(file("", &value("#x2000", "UINT", 16, ""), &after)).report;
+        report.lost()
+    };
+    assert_eq!([pdo(1, 1), pdo(0, 0), pdo(0, 1), pdo(1, 0)], [0, 0, 1, 1]);
+}
+
+#[test]
+fn what_a_type_cannot_hold_is_quoted() {
+    let object = value("#x2000", "UINT", 16, "");
+    let object = object.replace("<Flags>", "<Info><DefaultValue>70000</DefaultValue></Info><Flags>");
+    let notes = imported(file("", &object, "")).report.notes;
+    let note = notes.into_iter().find(|note| note.kind == NoteKind::Lost).expect("a loss");
+    assert_eq!(note.why, "`70000`, as UINT16: it does not fit its type");
+}
