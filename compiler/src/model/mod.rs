@@ -60,6 +60,7 @@ mod told;
 mod transport;
 mod type_name;
 mod unit;
+#[cfg(any(feature = "esi", feature = "import"))]
 mod unit_code;
 mod value;
 mod word;
@@ -119,6 +120,7 @@ pub use timing::{CycleTime, DeadTime, LimitedUse, SyncMode, SyncSignal, Timeouts
 pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
+#[cfg(any(feature = "esi", feature = "import"))]
 pub(crate) use unit_code::UnitCode;
 pub use value::Value;
 pub use word::Word;

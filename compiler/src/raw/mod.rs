@@ -45,6 +45,8 @@ pub use member::{Reading, read};
 pub use mode::RawMode;
 pub use object::{Ignored, RawEntries, RawEntry, RawObject, RawObjectHead, RawTrigger};
 pub use pdo::{RawMapped, RawPdo, RawSyncManager};
+#[cfg(feature = "import")]
+pub(crate) use picture::MOST as MOST_OF_PICTURE;
 pub use picture::pictures;
 pub(crate) use read_object::SHARED;
 pub use unit::{RawAxisUnit, RawUnit};
