@@ -125,6 +125,8 @@ pub mod objects {
     /// The state of the system: a bit is 1 if the error that it stands for has occurred.
     ///
     /// Cleared by a fault reset (transition 15); through 0x5010:04 if none was sent.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const ERROR_REGISTER: Entry<C887, ErrorRegister, ReadOnly> = Entry::new(0x1001, 0);
 
     /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT" (p. 21).
@@ -484,6 +486,8 @@ pub mod objects {
         /// `0x1C32:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master.
+        ///
+        /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C32, 32);
     }
 
@@ -569,6 +573,8 @@ pub mod objects {
         /// `0x1C33:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master; the same as for the outputs.
+        ///
+        /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C33, 32);
     }
 
@@ -863,6 +869,8 @@ pub mod objects {
     /// motion. Cleared by a fault reset (transition 15); through 0x5010:04 if none was sent.
     ///
     /// It does nothing on Y, Z, U, V, W.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const fn error_code(axis: Axis) -> Entry<C887, ErrorCode, ReadOnly> {
         axis.entry(0x603F, 0x800, 0)
     }
@@ -928,7 +936,8 @@ pub mod objects {
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24. Assumed,
+    /// unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     ///
     /// Contradicted, default of 1, 2: Between 0 and 0 there is no way to move; so the limits are filled in
     /// at start, or not in force. On all six axes.
@@ -961,6 +970,8 @@ pub mod objects {
     ///
     /// Position actual value = position internal value × numerator / denominator, in mm or deg; the
     /// internal value is what process data carries. The master has to be set to the same numbers.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub mod position_factor {
         use super::*;
 
@@ -985,6 +996,8 @@ pub mod objects {
     /// Not among the objects of the homing mode; what it does here is not said.
     ///
     /// It does nothing on Y, Z, U, V, W.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const fn homing_method(axis: Axis) -> Entry<C887, i8, ReadWrite> {
         axis.entry(0x6098, 0x800, 0)
     }
@@ -993,7 +1006,8 @@ pub mod objects {
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24. Assumed,
+    /// unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
         axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
@@ -1002,6 +1016,8 @@ pub mod objects {
     ///
     /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
     /// 10^index seconds.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub mod interpolation_time_period {
         use super::*;
 
@@ -1045,6 +1061,8 @@ pub mod objects {
     /// Not among the objects of any mode; which inputs there are is not said.
     ///
     /// It does nothing on Y, Z, U, V, W.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const fn digital_inputs(axis: Axis) -> Entry<C887, i32, ReadOnly> {
         axis.entry(0x60FD, 0x800, 0)
     }
@@ -1053,7 +1071,8 @@ pub mod objects {
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Assumed, unit: the manual gives none for this object; it scales velocities as positions, p. 14.
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24. Assumed,
+    /// unit: the manual gives none for this object; it scales velocities as positions, p. 14.
     pub const fn target_velocity(
         axis: Axis,
     ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Velocity, AngularVelocity>> {

@@ -3781,7 +3781,7 @@ pub mod configurations {
 /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
 /// stop ramp. (3.4.1, 3.4.3)
 ///
-/// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
+/// *Fault* `x0xx 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
 pub const STATES: StatePatterns = StatePatterns(&[
     (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
     (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -3790,7 +3790,7 @@ pub const STATES: StatePatterns = StatePatterns(&[
     (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
     (State::QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
     (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-    (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
 ]);
 
 /// What the description says of a state; empty if nothing.

@@ -89,6 +89,7 @@ pub(crate) mod overlong_value;
 mod overruled_statement;
 mod oversized_pdo;
 pub(crate) mod oversized_write;
+mod overstrict_pattern;
 mod overwide_entry;
 mod patternless_state;
 pub(crate) mod pinless_value;
@@ -178,7 +179,7 @@ lints! {
     missing_mandatory_pdo, missing_object, missing_sync_manager, missing_transition, misspelt_name,
     mixed_vendors, odd_count_type, one_sided_exclusion, opposed_switch, overfull_assignment, overlapping_bits,
     overlapping_groups, overlapping_states, overlapping_sync_managers, overlong_mode_code, overlong_name,
-    overlong_pin, overlong_value, overruled_statement, oversized_pdo, oversized_write, overwide_entry,
+    overlong_pin, overlong_value, overruled_statement, oversized_pdo, oversized_write, overstrict_pattern, overwide_entry,
     patternless_state, pinless_value, placeholder_identity, pointless_exclusion, portless_current,
     refused_choice, renamed_entry, repeated_alias, repeated_assignment, repeated_default, repeated_error,
     repeated_mailbox, repeated_mapping, replaced_revision, reserved_index, several_edges,
