@@ -1,7 +1,8 @@
 //! What the examples of rules leave open: other faults that a rule finds, and what is close to one but none.
 //!
 //! In the files of `more/`, a line `#! rule` begins a description, and a line `#= text` says what a message about it
-//! contains, a line a message, to which lines `#& text` add; without one, nothing may be said.
+//! contains, a line a message, to which lines `#& text` add, and `#~ text` what it does not contain; without one, nothing may
+//! be said.
 
 use std::fs;
 use std::path::Path;
@@ -12,17 +13,31 @@ use crate::rules;
 struct Case<'t> {
     rule: &'t str,
     description: &'t str,
-    said: Vec<Vec<&'t str>>,
+    said: Vec<Said<'t>>,
+}
+
+/// What a message contains, and what it does not.
+struct Said<'t> {
+    with: Vec<&'t str>,
+    without: Vec<&'t str>,
+}
+
+impl Said<'_> {
+    fn is_in(&self, message: &str) -> bool {
+        self.with.iter().all(|text| message.contains(text))
+            && !self.without.iter().any(|text| message.contains(text))
+    }
 }
 
 fn cases(text: &str) -> impl Iterator<Item = Case<'_>> {
     text.split("#! ").skip(1).map(|case| {
         let (rule, description) = case.split_once('\n').expect("a description");
-        let mut said: Vec<Vec<&str>> = Vec::new();
-        for line in description.lines() {
-            match (line.strip_prefix("#= "), line.strip_prefix("#& "), said.last_mut()) {
-                (Some(text), ..) => said.push(vec![text]),
-                (_, Some(text), Some(last)) => last.push(text),
+        let mut said: Vec<Said<'_>> = Vec::new();
+        for (mark, text) in description.lines().filter_map(|line| line.split_once(' ')) {
+            match (mark, said.last_mut()) {
+                ("#=", _) => said.push(Said { with: vec![text], without: Vec::new() }),
+                ("#&", Some(last)) => last.with.push(text),
+                ("#~", Some(last)) => last.without.push(text),
                 _ => {}
             }
         }
@@ -36,7 +51,7 @@ fn fault(Case { rule, description, said }: &Case<'_>) -> Option<String> {
     let messages = messages(rule, description);
     let holds = found.len() == said.len()
         && found.iter().all(|name| name == rule)
-        && messages.iter().zip(said).all(|(message, said)| said.iter().all(|text| message.contains(text)));
+        && messages.iter().zip(said).all(|(message, said)| said.is_in(message));
     (!holds).then(|| format!("#! {rule}\n{description}\nfound:\n\n{}", messages.join("\n\n")))
 }
 
