@@ -63,6 +63,9 @@ use ::devc_runtime::{Device, error};
 /// Contradicted, revision: The only number that the manual gives, and no number of a release. The
 /// vendor's ESI file may have another. Contradicted, serial: The digits in a row are no number of a
 /// device, and all devices would share it.
+///
+/// Assumed, vendor: the manual writes PI; its ESI file is called Physik\_Instrumente\_Hexapod.xml, p.
+/// 6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct C887;
 
@@ -80,6 +83,8 @@ impl ::devc_runtime::Family for C887 {
 /// The axes of the device.
 ///
 /// Objects of the drive profile are 0x800 apart.
+///
+/// Assumed, about: the manual prints ƟX, ƟY and ƟZ beside U, V and W, and nothing beside X, Y and Z.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
 pub enum Axis {
@@ -1785,9 +1790,12 @@ impl Pdo for RxPdo1600 {
 ///
 /// Not together with `0x1600`.
 ///
-/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed, excludes:
-/// both would set the same objects. Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers
-/// any other.
+/// Contradicted, name, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. Contradicted,
+/// entry of 4, bits of 4: The dictionary has no such object on any axis: the rows go from 0x607D to
+/// 0x6093. The PDO is made for profile position mode, which the device does not have. Contradicted,
+/// entry of 5, bits of 5: The dictionary has no such object on any axis: the rows go from 0x607D to
+/// 0x6093. The PDO is made for profile position mode, which the device does not have. Assumed,
+/// excludes: both would set the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -1959,9 +1967,8 @@ impl Pdo for TxPdo1A00 {
 ///
 /// Not together with `0x1A00`.
 ///
-/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed, excludes:
-/// both would send the same objects. Contradicted, mode: The modes are 0, 6 and 8; GCS error 715
-/// answers any other.
+/// Contradicted, name, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed,
+/// excludes: both would send the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.
@@ -3589,6 +3596,8 @@ pub mod dictionary {
     };
 
     /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+    ///
+    /// Assumed, sdo-info: no source says so; usual with CoE.
     pub static NAMES: sdo::Names = sdo::Names {
         pages: &[
             NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_50, NAMES_60, NAMES_65, NAMES_67, NAMES_60,

@@ -121,8 +121,8 @@ fn with_shared(own: &Table, object: &Table) -> Table {
     table
 }
 
-/// The reasons for what an entry says, and those of the object's table for what that says for all entries; none if the
-/// object has no reasons, or the entry one for all of it.
+/// The reasons for what an entry says, and those of the object's table for what that says for all entries, and for its
+/// entries; none if the object has no reasons, or the entry one for all of it.
 fn assumed(own: &Table, object: &Table) -> Option<Member> {
     let reasons = object.get("assumed")?;
     let inherited = |key: &str| SHARED.contains(&key) && own.get(key).is_none();
@@ -138,7 +138,12 @@ fn assumed(own: &Table, object: &Table) -> Option<Member> {
             object.members.iter().map(|said| Member { node: reasons.node.clone(), ..said.clone() }).collect()
         }
     };
-    let shared = shared.into_iter().filter(|reason| inherited(&reason.key.name));
+    let of_entries = shared.iter().find(|reason| &*reason.key.name == "entries").cloned();
+    let of_entries = of_entries.into_iter().flat_map(|reason| {
+        let said = own.members.iter().filter(|said| !matches!(&*said.key.name, "assumed" | "source"));
+        said.map(move |said| Member { node: reason.node.clone(), ..said.clone() })
+    });
+    let shared = shared.iter().filter(|reason| inherited(&reason.key.name)).cloned().chain(of_entries);
     for reason in shared.filter(|reason| all.get(&reason.key.name).is_none()).collect::<Members>() {
         all.members.push(reason);
     }

@@ -3,6 +3,7 @@
 
 #![cfg(test)]
 
+mod marks;
 mod places;
 mod samples;
 
