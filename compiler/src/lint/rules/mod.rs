@@ -47,6 +47,7 @@ mod excluded_assignment;
 pub(crate) mod foreign_protocol;
 pub(crate) mod foreign_state;
 mod hidden_command;
+mod idle_assumption;
 mod idle_enumeration;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
@@ -171,7 +172,7 @@ lints! {
     contradicted_sync_types, contradicted_total, contradicted_width, deviating_access, deviating_kind,
     deviating_mapping, deviating_pattern, deviating_transition, deviating_type, differing_axis, disguised_choice, empty_limits,
     empty_name, empty_reason, excluded_assignment, foreign_protocol, foreign_state, hidden_command,
-    idle_enumeration, idle_erratum, idle_mapped_entry, idle_unit, idle_write_window, impossible_boot_mailbox,
+    idle_assumption, idle_enumeration, idle_erratum, idle_mapped_entry, idle_unit, idle_write_window, impossible_boot_mailbox,
     impossible_eeprom_size, incomplete_timeouts, indistinct_bit, indistinct_members, inverted_limits,
     manufacturer_bit, meaningful_reserved_bit, misaligned_entry, misclassified_error, misdirected_entry,
     misordered_sync_managers, misplaced_pdo, misplaced_sync_manager, missing_config_data, missing_group,
