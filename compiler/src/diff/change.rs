@@ -79,7 +79,7 @@ impl Change {
 
     /// The change that a difference is.
     pub(super) fn of(kind: &'static Kind, at: Place, difference: &Difference) -> Self {
-        let Difference { path: _, first, second, first_at, second_at } = difference.clone();
+        let Difference { path: _, is_order: _, first, second, first_at, second_at } = difference.clone();
         Self { old: first, new: second, old_at: first_at, new_at: second_at, ..Self::new(kind, at) }
     }
 }

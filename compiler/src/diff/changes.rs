@@ -101,11 +101,12 @@ fn family<'f>(old: &'f Family, new: &'f Family) -> impl Iterator<Item = Change> 
     let is_own = move |difference: &Difference| match difference.path.0.first().map(String::as_str) {
         Some("name") => !of_device,
         Some("about" | "source") => true,
-        _ => false,
+        _ => difference.is_order,
     };
     differ.filter(is_own).map(|difference| {
         let key = difference.path.0.first().cloned().unwrap_or_default();
-        Change { name: None, ..Change::of(&kinds::CHANGED_TEXT, Section::Family.at(key), &difference) }
+        let kind = if difference.is_order { &kinds::REORDERED } else { &kinds::CHANGED_TEXT };
+        Change { name: None, ..Change::of(kind, Section::Family.at(key), &difference) }
     })
 }
 

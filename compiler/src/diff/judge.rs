@@ -43,6 +43,7 @@ impl From<&'static Kind> for Judged {
 /// What kind of change a difference is; none if it is none of its own.
 pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Option<Judged> {
     let kind = match path {
+        _ if difference.is_order => order(path)?,
         ["identity", field] => identity(field, versions)?,
         ["objects", rest @ ..] => dictionary::judge(versions, rest, difference)?,
         ["pdos", rest @ ..] => return process_data::judge(versions, rest, difference),
@@ -125,6 +126,16 @@ fn device(path: &[&str]) -> Option<&'static Kind> {
         // A part of the model that is not judged yet is taken for what must not change.
         _ => &kinds::CHANGED_BEHAVIOUR,
     })
+}
+
+/// What another order of a list is.
+fn order(path: &[&str]) -> Option<&'static Kind> {
+    match path {
+        ["slots"] => Some(&kinds::CHANGED_SLOTS),
+        // The numbers of the first differ with it, the others follow the tables that they are about.
+        ["sync_managers" | "assumptions"] => None,
+        _ => Some(&kinds::REORDERED),
+    }
 }
 
 fn identity(field: &str, versions: Versions<'_>) -> Option<&'static Kind> {

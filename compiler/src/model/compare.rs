@@ -3,7 +3,7 @@
 //! The macros that declare the model make the comparison, so that no field is forgotten. Lists are matched by what tells
 //! their items apart; where a thing was written is not compared.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::Source;
@@ -124,8 +124,10 @@ impl<T: Compare> Compare for Vec<T> {
         if T::IS_VALUE {
             return values(self, other, path, found);
         }
-        let mut seconds = keyed(other);
-        for (key, first) in keyed(self) {
+        let [firsts, seconds] = [self, other].map(|items| keyed(items));
+        order(&firsts, &seconds, path, found);
+        let mut seconds: BTreeMap<String, &T> = seconds.into_iter().collect();
+        for (key, first) in firsts.into_iter().collect::<BTreeMap<_, _>>() {
             let second = seconds.remove(&key);
             path.within(key, |path| match second {
                 Some(second) => first.compare(second, path, found),
@@ -144,9 +146,37 @@ impl<T: Compare> Compare for Vec<T> {
     }
 }
 
-fn keyed<T: Compare>(items: &[T]) -> BTreeMap<String, &T> {
+/// The items of a list, each with what tells it apart.
+fn keyed<T: Compare>(items: &[T]) -> Vec<(String, &T)> {
     let key = |(place, item): (usize, &T)| item.key().unwrap_or_else(|| format!("{place:03}"));
     items.iter().enumerate().map(|(place, item)| (key((place, item)), item)).collect()
+}
+
+/// Those of the items of a list that another list has, too.
+fn within<'t, T>(items: &[(String, &'t T)], others: &[(String, &T)]) -> Vec<(String, &'t T)> {
+    let others: BTreeSet<&String> = others.iter().map(|(key, _)| key).collect();
+    items.iter().filter(|(key, _)| others.contains(key)).map(|(key, item)| (key.clone(), *item)).collect()
+}
+
+/// Compares the order of what is in both of two lists.
+fn order<T: Compare>(
+    firsts: &[(String, &T)],
+    seconds: &[(String, &T)],
+    path: &FieldPath,
+    found: &mut dyn FnMut(Difference),
+) {
+    if firsts.iter().map(|(key, _)| key).eq(seconds.iter().map(|(key, _)| key)) {
+        return;
+    }
+    let (firsts, seconds) = (within(firsts, seconds), within(seconds, firsts));
+    let Some(((_, first), (_, second))) = firsts.iter().zip(&seconds).find(|(one, other)| one.0 != other.0)
+    else {
+        return;
+    };
+    let [before, after] = [&firsts, &seconds]
+        .map(|items| items.iter().map(|(key, _)| key.as_str()).collect::<Vec<_>>().join(", "));
+    let difference = Difference { is_order: true, ..path.differ(Some(before), Some(after)) };
+    found(difference.written(path.0.len(), first.origin(), second.origin()));
 }
 
 impl<T: Compare> Compare for (T, T) {

@@ -17,6 +17,8 @@ pub struct Difference {
     pub first: Option<String>,
     /// The value in the second.
     pub second: Option<String>,
+    /// Whether it is the order of a list in which they differ; the values are what tells its items apart.
+    pub is_order: bool,
     /// Where the first has it from.
     pub first_at: Option<Location>,
     /// Where the second has it from.
@@ -32,7 +34,7 @@ impl FieldPath {
     }
 
     pub(super) fn differ(&self, first: Option<String>, second: Option<String>) -> Difference {
-        Difference { path: self.clone(), first, second, first_at: None, second_at: None }
+        Difference { path: self.clone(), first, second, is_order: false, first_at: None, second_at: None }
     }
 }
 

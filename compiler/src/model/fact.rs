@@ -67,7 +67,7 @@ part! {
 
 model! {
     /// Something that no source states.
-    pub struct Assumption {
+    pub struct Assumption by at {
         /// What it is about.
         pub at: Place,
         /// The key that is assumed, as it was written; none if the whole table is.

@@ -60,6 +60,7 @@ mod told;
 mod transport;
 mod type_name;
 mod unit;
+mod unit_code;
 mod value;
 mod word;
 
@@ -118,6 +119,7 @@ pub use timing::{CycleTime, DeadTime, LimitedUse, SyncMode, SyncSignal, Timeouts
 pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
+pub(crate) use unit_code::UnitCode;
 pub use value::Value;
 pub use word::Word;
 

@@ -23,7 +23,10 @@ fn base() -> Table {
 }
 
 fn family(description: &Table) -> Checked<Family> {
-    let text = toml::to_string(description).expect("a table is TOML");
+    compiled(toml::to_string(description).expect("a table is TOML"))
+}
+
+fn compiled(text: String) -> Checked<Family> {
     let memory = Memory::default().with("example/device.toml", text.into_bytes());
     let mut levels = Levels::default();
     Group::ALL.iter().for_each(|group| levels.set(group.name(), Level::Allow, None));
@@ -123,4 +126,29 @@ fn the_type_of_what_is_only_mapped_is_compared() {
     assert_eq!(changes(&unsigned, &signed), ["wire-breaking changed-type 0x1A00"]);
     assert_eq!(changes(&bits, &signed), ["documentation respelt-type 0x1A00"]);
     assert_eq!(changes(&signed, &signed), Vec::<String>::new());
+}
+
+/// Where tables of one section change places, what lists them changes; the order of slots is what modules are set up by.
+#[test]
+fn another_order_is_told() {
+    let (base, mut wrong) = (toml::to_string(&base()).expect("a table is TOML"), Vec::new());
+    for (section, table, gives) in [
+        ("configurations", "name = \"One\"", "documentation reordered configurations"),
+        ("documents", "title = \"Another\"", "documentation reordered documents"),
+        ("enumerations", "values = { 1 = { name = \"one\" } }", "documentation reordered enumerations"),
+        ("parameters", "name = \"One\"", "documentation reordered parameters"),
+        ("slots", "name = \"One\"\nmax = 1\nmodules = [0x100]", "configuration-breaking changed-slots slots"),
+        ("states", "name = \"One\"", "documentation reordered states"),
+        ("units", "quantity = \"length\"\nsymbol = \"mm\"", "documentation reordered units"),
+    ] {
+        let with = |ids: [&str; 2]| {
+            let tables = ids.map(|id| format!("\n[{section}.{id}]\n{table}\n"));
+            compiled(format!("{base}{}", tables.concat()))
+        };
+        let found = changes(&with(["one", "other"]), &with(["other", "one"]));
+        if found != [gives] {
+            wrong.push(format!("{section}: {found:?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

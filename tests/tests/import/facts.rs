@@ -131,6 +131,9 @@ fn sync_units(device: Node<'_, '_>, facts: &mut Collector) {
 }
 
 fn sync_managers(device: Node<'_, '_>, facts: &mut Collector) {
+    for (place, node) in all(device, "Fmmu").enumerate() {
+        facts.number(&format!("fmmu/{place}/su"), node.attribute("Su").map(str::to_owned), &[lines(node)]);
+    }
     for (place, node) in all(device, "Sm").enumerate() {
         let at = vec![lines(node)];
         facts.text(

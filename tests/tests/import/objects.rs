@@ -130,6 +130,7 @@ fn value(
         let bytes = bytes.filter(|bytes| !is_bound(what, bytes, &kind));
         facts.text(&format!("{key}/{}", what.to_lowercase()), bytes, at);
     }
+    facts.number(&format!("{key}/unit"), info.and_then(|info| text_in(info, "Unit")), at);
     let choices = declared.into_iter().flat_map(|it| all(it, "EnumInfo"));
     let choices: Vec<_> =
         choices.filter_map(|it| Some((number(&text_in(it, "Enum")?)?, name(it, "Text")?, it))).collect();

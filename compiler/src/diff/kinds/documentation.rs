@@ -20,6 +20,10 @@ kinds! { Documentation:
     /// What the device says of itself in 0x1008 to 0x100A, or its serial number, is something else.
     CHANGED_LABEL = "changed-label", "the device's own name or version is another one";
 
+    /// The same things are described in another order. Lists in references and generated code follow it; no number, name or
+    /// byte does.
+    REORDERED = "reordered", "the same is described in another order";
+
     /// A text, a figure for people, or where a fact is from.
     CHANGED_TEXT = "changed-text", "a description, a note or a source is another one";
 }

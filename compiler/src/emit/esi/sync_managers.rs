@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::literal::Hex;
-use crate::model::{Device, Role, SyncManager};
+use crate::model::{Device, Index, Role, SyncManager};
 
 /// The mapping units. Where there are several of a direction, each names its sync manager.
 pub(super) fn fmmus(device: &Device) -> Vec<Element> {
@@ -13,9 +13,19 @@ pub(super) fn fmmus(device: &Device) -> Vec<Element> {
             Role::MailboxIn | Role::MailboxOut => "MBoxState",
         };
         let several = device.sync_managers_of(manager.role).count() > 1;
-        Element::leaf("Fmmu", name).with_some("Sm", several.then_some(manager.number))
+        Element::leaf("Fmmu", name)
+            .with_some("Sm", several.then_some(manager.number))
+            .with_some("Su", sync_unit(device, manager))
     };
     device.mapping_units().map(unit).collect()
+}
+
+/// The place of the sync unit of its PDOs, if all are of one.
+fn sync_unit(device: &Device, manager: &SyncManager) -> Option<usize> {
+    let unit = |index: &Index| device.pdo(*index).and_then(|pdo| pdo.sync_unit.as_deref());
+    let first = manager.pdos.first().and_then(unit)?;
+    let is_of_one = manager.pdos.iter().all(|index| unit(index) == Some(first));
+    device.sync_units().iter().position(|known| *known == first).filter(|_| is_of_one)
 }
 
 /// A sync manager.

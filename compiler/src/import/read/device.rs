@@ -1,7 +1,9 @@
 //! A device: identity, mailbox, clocks, EEPROM.
 
 use super::element::{At, Element};
-use super::esi::{Alternative, Device, Eeprom, Head, InitCmd, Mailbox, ModeManager, OpMode, Signal, Timeout};
+use super::esi::{
+    Alternative, Channel, Device, Eeprom, Head, InitCmd, Mailbox, ModeManager, OpMode, Signal, Timeout,
+};
 use super::number::{bytes, number, truth};
 use super::{diagnosis, dictionary, process_data, words};
 use crate::model::{CheckedCode, CheckedRevision, are_ports};
@@ -23,15 +25,7 @@ pub(super) fn head(device: &Element<'_>) -> Head {
 pub(super) fn device(device: &Element<'_>) -> Device {
     let profiles: Vec<&Element<'_>> = device.all("Profile").collect();
     let profile = profiles.iter().find_map(|profile| profile_number(profile));
-    let add_info = profiles
-        .iter()
-        .find_map(|profile| add_info(profile).or_else(|| add_info(profile.child("ChannelInfo")?)));
-    for channel in profiles.iter().flat_map(|profile| profile.all("ChannelInfo")) {
-        // A channel says once more what its profile says.
-        channel.child_as("ProfileNo", |text| number(text).filter(|number| Some(*number) == profile));
-        channel
-            .child_as("AddInfo", |text| number(text).filter(|info| add_info.map(|it| it.0) == Some(*info)));
-    }
+    let channels = profiles.iter().flat_map(|it| it.all("ChannelInfo")).map(|it| channel(it, profile));
     let dictionary = profiles.iter().find_map(|profile| profile.child("Dictionary"));
     let (objects, excess) = dictionary.map(dictionary::objects).unwrap_or_default();
     Device {
@@ -44,7 +38,9 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         physics: device
             .attribute_as("Physics", |text| Some(text.to_ascii_uppercase()).filter(|it| are_ports(it))),
         profile,
-        add_info,
+        add_info: profiles.iter().find_map(|profile| placed(profile, "AddInfo")),
+        channel_count: profiles.iter().find_map(|profile| placed(profile, "ChannelCount")),
+        channels: channels.collect(),
         fmmus: device.all("Fmmu").map(process_data::fmmu).collect(),
         sync_managers: device.all("Sm").map(process_data::sm).collect(),
         rx_pdos: device.all("RxPdo").filter_map(process_data::pdo).collect(),
@@ -104,8 +100,16 @@ fn timeouts(info: &Element<'_>) -> Vec<Timeout> {
     kinds.into_iter().filter_map(read).collect()
 }
 
-fn add_info(parent: &Element<'_>) -> Option<(u32, At)> {
-    Some((parent.child_as("AddInfo", number)?, parent.child("AddInfo")?.at()))
+/// A number with its place.
+fn placed<T: TryFrom<i128>>(parent: &Element<'_>, name: &str) -> Option<(T, At)> {
+    Some((parent.child_as(name, number)?, parent.child(name)?.at()))
+}
+
+/// A channel says once more what its profile says.
+fn channel(element: &Element<'_>, profile: Option<u32>) -> Channel {
+    element.child_as("ProfileNo", |text| number(text).filter(|number| Some(*number) == profile));
+    let add_info = element.child_as("AddInfo", number);
+    Channel { at: element.at(), name: words::name(element, "DisplayName"), add_info }
 }
 
 /// The number of the profile, which may stand in its channel.
@@ -153,8 +157,16 @@ fn init_cmd(element: &Element<'_>) -> Option<InitCmd> {
     let subindex = element.child_as("SubIndex", number).unwrap_or(0);
     let data = element.child_as("Data", bytes)?;
     let transitions = element.all("Transition").map(|it| it.text().to_owned()).collect();
-    let comment = words::name(element, "Comment");
-    Some(InitCmd { at: element.at(), transitions, index, subindex, data, comment, facts: element.facts() })
+    Some(InitCmd {
+        at: element.at(),
+        transitions,
+        index,
+        subindex,
+        data,
+        complete_access: element.attribute_as("CompleteAccess", truth).unwrap_or(false),
+        comment: words::name(element, "Comment"),
+        facts: element.facts(),
+    })
 }
 
 fn op_mode(element: &Element<'_>) -> OpMode {

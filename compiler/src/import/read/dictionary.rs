@@ -8,7 +8,7 @@ use super::element::{At, Element};
 use super::esi::{Choice, Datum, Flags, Object, Property, Shape, Value, Written};
 use super::number::{bytes, number, truth};
 use super::words;
-use crate::model::{Safety, SdoAccess};
+use crate::model::{Safety, SdoAccess, UnitCode};
 
 /// A type as it is declared.
 struct DataType<'e, 't> {
@@ -213,6 +213,7 @@ fn values(value: &mut Value, info: Option<&Element<'_>>) {
     value.default = datum(info, "Default");
     value.min = datum(info, "Min");
     value.max = datum(info, "Max");
+    value.unit = info.child_as("Unit", |text| UnitCode::read(number(text)?));
     if let Some(name) = words::name(info, "DisplayName") {
         value.display_name = Some(name);
     }

@@ -36,6 +36,8 @@ pub(crate) struct Device {
     pub(crate) physics: Option<String>,
     pub(crate) profile: Option<u32>,
     pub(crate) add_info: Option<(u32, At)>,
+    pub(crate) channels: Vec<Channel>,
+    pub(crate) channel_count: Option<(usize, At)>,
     pub(crate) fmmus: Vec<Fmmu>,
     pub(crate) sync_managers: Vec<Sm>,
     pub(crate) rx_pdos: Vec<Pdo>,
@@ -68,6 +70,14 @@ pub(crate) struct Device {
     pub(crate) messages: Vec<Message>,
     /// The first object that was one too many.
     pub(crate) excess: Option<At>,
+}
+
+/// What the profile says of a channel.
+#[derive(Debug)]
+pub(crate) struct Channel {
+    pub(crate) at: At,
+    pub(crate) name: Option<String>,
+    pub(crate) add_info: Option<u32>,
 }
 
 /// How long a master waits.
@@ -111,6 +121,8 @@ pub(crate) struct Fmmu {
     pub(crate) at: At,
     pub(crate) name: String,
     pub(crate) sm: Option<u8>,
+    /// The number of the sync unit.
+    pub(crate) su: Option<u8>,
 }
 
 #[derive(Debug, Default)]
@@ -181,6 +193,8 @@ pub(crate) struct InitCmd {
     pub(crate) index: u16,
     pub(crate) subindex: u8,
     pub(crate) data: Vec<u8>,
+    /// Whether it writes an object as a whole.
+    pub(crate) complete_access: bool,
     pub(crate) comment: Option<String>,
     /// How many facts it is.
     pub(crate) facts: usize,

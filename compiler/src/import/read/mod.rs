@@ -23,8 +23,9 @@ use std::borrow::Cow;
 pub(super) use eds::device as sheet_device;
 pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{
-    Alternative, Choice, Datum, Device, Esi, Fmmu, Head, InitCmd, Mailbox, Message, ModeManager, Object,
-    OpMode, OpenSlot, Pdo, PdoEntry, Plug, Property, Shape, Signal, Sm, Texts, Timeout, Value, Written,
+    Alternative, Channel, Choice, Datum, Device, Esi, Fmmu, Head, InitCmd, Mailbox, Message, ModeManager,
+    Object, OpMode, OpenSlot, Pdo, PdoEntry, Plug, Property, Shape, Signal, Sm, Texts, Timeout, Value,
+    Written,
 };
 pub(super) use number::number;
 pub(super) use sdos::{List, list};

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::element::At;
 use super::esi::Texts;
-use crate::model::{Safety, SdoAccess};
+use crate::model::{Safety, SdoAccess, UnitCode};
 
 /// An object of the dictionary with its type resolved into values.
 #[derive(Debug, Default)]
@@ -48,6 +48,8 @@ pub(crate) struct Value {
     pub(crate) default: Option<Datum>,
     pub(crate) min: Option<Datum>,
     pub(crate) max: Option<Datum>,
+    /// What a step of it is: a power of ten of a unit.
+    pub(crate) unit: Option<(&'static UnitCode, i8)>,
 }
 
 #[derive(Debug, Default, Clone, PartialEq)]

@@ -9,7 +9,12 @@ use crate::model::Oversampling;
 /// A mapping unit.
 pub(super) fn fmmu(element: &Element<'_>) -> Fmmu {
     element.says_usual("OpOnly");
-    Fmmu { at: element.at(), name: element.text().to_owned(), sm: element.attribute_as("Sm", number) }
+    Fmmu {
+        at: element.at(),
+        name: element.text().to_owned(),
+        sm: element.attribute_as("Sm", number),
+        su: element.attribute_as("Su", number),
+    }
 }
 
 pub(super) fn sm(element: &Element<'_>) -> Sm {

@@ -135,6 +135,12 @@ impl Axes {
         (1..self.count).contains(&axis) && self.shared.contains_key(&(index - axis * OBJECTS))
     }
 
+    /// The indices that an object of the first axis has on all of them; its own if it is not one of these.
+    pub(super) fn indices(&self, leading: u16) -> Vec<u16> {
+        let axes = if self.shared.contains_key(&leading) { self.count } else { 1 };
+        (0..axes).map(|axis| leading + axis * OBJECTS).collect()
+    }
+
     /// Adds what differs on other axes to the table of an object.
     pub(super) fn complete(&self, index: u16, block: &mut Block) {
         if let Some(differing) = self.shared.get(&index).filter(|it| !it.is_empty()) {
@@ -142,8 +148,13 @@ impl Axes {
         }
     }
 
-    /// `[axes]`.
-    pub(super) fn block(&self, objects: &[Described], report: &mut Report) -> Option<Block> {
+    /// `[axes]`, with what each of them is.
+    pub(super) fn block(
+        &self,
+        objects: &[Described],
+        kind: Option<u16>,
+        report: &mut Report,
+    ) -> Option<Block> {
         let first = objects.iter().find(|it| it.index == 0x6040).filter(|_| self.count > 1)?;
         if !self.are_named {
             let why = format!("there are {}, called by letters", self.count);
@@ -159,6 +170,7 @@ impl Axes {
         ];
         let step = (self.pdo_step != PDOS).then(|| Toml::Hex(self.pdo_step.into(), 2));
         set_some(&mut keys, "pdo-shift", step);
+        set_some(&mut keys, "add-info", kind.map(|kind| Toml::Integer(kind.into())));
         Some(Block {
             remarks: if self.are_named {
                 Vec::new()

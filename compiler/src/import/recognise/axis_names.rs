@@ -9,7 +9,12 @@ const CONTROLWORD: u16 = 0x6040;
 const STEP: u16 = 0x800;
 
 /// Takes the names of the axes out of all other names, if all control words have one; then the axes are called by them.
+/// Else they are called as channels are.
 pub(in super::super) fn take_out(device: &mut Device) {
+    let channels = device.channels.iter().map(|channel| channel.name.clone());
+    if device.slots.is_empty() {
+        device.slots = channels.collect::<Option<_>>().unwrap_or_default();
+    }
     let mut axes: Vec<String> = Vec::new();
     for axis in 0..8_u16 {
         let index = CONTROLWORD + axis * STEP;

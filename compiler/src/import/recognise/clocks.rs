@@ -133,7 +133,7 @@ fn signal(signal: &Signal, name: &str, report: &mut Report) -> Keys {
 }
 
 /// A time in the largest unit in which it is a whole number.
-fn time(nanoseconds: i64) -> String {
+pub(super) fn time(nanoseconds: i64) -> String {
     let units = [("s", 1_000_000_000), ("ms", 1_000_000), ("us", 1_000)];
     let unit = units.into_iter().find(|(_, unit)| nanoseconds % unit == 0);
     unit.map_or_else(|| format!("{nanoseconds} ns"), |(name, unit)| format!("{} {name}", nanoseconds / unit))

@@ -118,7 +118,7 @@ fn made<'b>(index: u16, basis: &Basis<'b>) -> Option<Made<'b>> {
 }
 
 /// What a mapping object holds for an entry.
-fn word(entry: &PdoEntry) -> u64 {
+pub(super) fn word(entry: &PdoEntry) -> u64 {
     let place = u64::from(entry.index) << 16 | u64::from(entry.subindex) << 8;
     u64::from(entry.bits & 0xFF) | if entry.index == 0 { 0 } else { place }
 }

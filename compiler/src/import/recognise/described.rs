@@ -3,6 +3,7 @@
 use super::super::read::{At, Object, Shape};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, get};
+use super::units::Units;
 use super::value::{Said, said};
 use super::words;
 use crate::model::{Kind, SdoAccess};
@@ -26,7 +27,7 @@ pub(super) struct Described {
 }
 
 /// What an object says; none if nothing of it can be said, which is reported.
-pub(super) fn described(object: &Object, report: &mut Report) -> Option<Described> {
+pub(super) fn described(object: &Object, units: &Units, report: &mut Report) -> Option<Described> {
     let kind = match object.shape {
         Shape::Var => Kind::Var,
         Shape::Array => Kind::Array,
@@ -39,7 +40,7 @@ pub(super) fn described(object: &Object, report: &mut Report) -> Option<Describe
             report.lose(value.at, 4, format!("a second entry {at}"), "there is one of this subindex already");
             continue;
         }
-        values.extend(said(value, &at, kind == Kind::Var, report));
+        values.extend(said(value, &at, kind == Kind::Var, units, report));
     }
     values.sort_by_key(|value| value.subindex);
     // What has nothing but subindex 0 is a single value, however its type is declared.

@@ -8,8 +8,8 @@ use super::value::Said;
 use super::words;
 
 /// The keys that an object can say for all its entries.
-const SHARED: [&str; 10] =
-    ["type", "access", "pdo", "safety", "category", "default", "min", "max", "backup", "setting"];
+const SHARED: [&str; 11] =
+    ["type", "access", "pdo", "safety", "category", "unit", "default", "min", "max", "backup", "setting"];
 
 /// What is said once for all entries: values that most of them have, where each has some.
 pub(super) fn shared(category: Option<&Toml>, members: &[&Said], base: Option<Base<'_>>) -> Keys {

@@ -3,16 +3,14 @@
 use super::super::read::{Device, Esi};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set, set_some};
-use super::described::Described;
 use super::draft::Block;
 use super::literal::pairs;
 use super::words::in_languages;
 use crate::model::Eeprom;
 
 /// `[device]`, `[identity]` and `[eeprom]`.
-pub(super) fn blocks(esi: &Esi, device: &Device, objects: &[Described], report: &mut Report) -> Vec<Block> {
+pub(super) fn blocks(esi: &Esi, device: &Device, report: &mut Report) -> Vec<Block> {
     let mut blocks = vec![self::device(esi, device, report), identity(esi, device, report)];
-    add_info(device, objects, report);
     if let Some(eeprom) = &device.eeprom {
         let mut keys = Keys::new();
         if let Some(size) =
@@ -105,24 +103,4 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     }
     set_some(&mut keys, "id-address", device.id_address.map(|address| Toml::Hex(address.into(), 4)));
     Block { remarks, ..Block::new("identity", None, keys) }
-}
-
-/// `AddInfo` is the upper word of 0x1000, or it is lost.
-fn add_info(device: &Device, objects: &[Described], report: &mut Report) {
-    let Some((info, at)) = device.add_info else { return };
-    let kind = objects.iter().find(|object| object.index == 0x1000);
-    let default =
-        kind.and_then(|object| object.values.first()).and_then(|value| {
-            match super::super::toml::get(&value.keys, "default") {
-                Some(Toml::Hex(value, _)) => Some(*value),
-                Some(Toml::Integer(value)) => u64::try_from(*value).ok(),
-                _ => None,
-            }
-        });
-    let kept = default.is_some_and(|value| {
-        value >> 16 == u64::from(info) && Some(value & 0xFFFF) == device.profile.map(u64::from)
-    });
-    if !kept && info != 0 {
-        report.lose(at, 1, "Profile/AddInfo", format!("{info} is not what object 0x1000 says"));
-    }
 }

@@ -1,8 +1,11 @@
 //! What an ESI file means, in the words of a description.
 
+mod assigned;
 mod axes;
 mod axis_names;
+mod channels;
 mod choices;
+mod chosen;
 mod clocks;
 mod derived;
 mod described;
@@ -21,6 +24,7 @@ mod slots;
 mod start_up;
 mod sync_managers;
 mod types;
+mod units;
 mod value;
 mod words;
 
@@ -30,7 +34,7 @@ pub(super) use family::family;
 
 use std::collections::BTreeSet;
 
-use super::read::{Device, Esi, Object, Pdo};
+use super::read::{Device, Esi, InitCmd, Object, Pdo};
 use super::report::Report;
 use super::toml::Toml;
 use axes::Axes;
@@ -40,6 +44,7 @@ use pdos::Way;
 use profile::Known;
 use references::References;
 use sync_managers::Manager;
+use units::Units;
 
 /// A device as a description.
 pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
@@ -51,20 +56,23 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let basis = basis(device, [&rx, &tx], &managers);
     let (made, own): (Vec<&Object>, Vec<&Object>) =
         distinct(device, report).into_iter().partition(|object| derived::follows(object, &basis));
+    let units = Units::of(device);
     let mut described: Vec<Described> =
-        own.into_iter().filter_map(|object| described::described(object, report)).collect();
+        own.into_iter().filter_map(|object| described::described(object, &units, report)).collect();
     described.sort_by_key(|object| object.index);
     kept_by_tools(device, &mut described, report);
     if device.hides_mapping {
         without(&mut described, &["pdo"]);
     }
     let mut draft = Draft { profiles, ..Draft::default() };
-    draft.device = head::blocks(esi, device, &described, report);
+    draft.device = head::blocks(esi, device, report);
     let axes = Axes::of(&described, &device.slots, [&rx, &tx]);
     let references = References::of(&described, &known, &axes);
-    draft.device.extend(axes.block(&described, report));
+    let of_axes = channels::channels(device, &described, &axes, report);
+    draft.device.extend(axes.block(&described, of_axes, report));
     draft.device.extend(slots::modules(device, &axes, report));
     draft.device.extend(slots::open(device, report));
+    draft.device.extend(units.blocks());
     for object in described.iter().filter(|object| !axes.repeats(object.index)) {
         let (mut block, without) = objects::block(object, &known, report);
         axes.complete(object.index, &mut block);
@@ -76,8 +84,9 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let carriers = clocks::Carriers { managers: &managers, pdos: [&rx, &tx] };
     draft.device.extend(clocks::sync_modes(&device.op_modes, &carriers, report));
     draft.device.extend(choices::configurations(&device.alternatives, &carriers, report));
-    let commands = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands);
-    draft.device.extend(start_up::configuration(commands, &references, report));
+    let surroundings = chosen::Surroundings { references: &references, axes: &axes, basis: &basis };
+    let commands: Vec<&InitCmd> = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands).collect();
+    draft.device.extend(start_up::configuration(&commands, &surroundings, report));
     draft.diagnosis = diagnosis::blocks(&device.messages, report);
     draft
 }
@@ -177,7 +186,7 @@ fn process_data(
     }
     let slots = |number: u8| derived::room(made, 0x1C10 + u16::from(number));
     let managers = sync_managers::blocks(basis.managers, [rx, tx], &followers, slots, report);
-    sync_managers::fmmus(&device.fmmus, basis.managers, report);
+    sync_managers::fmmus(&device.fmmus, basis.managers, [rx, tx], report);
     draft.objects.extend(made.iter().filter_map(|object| derived::block(object, basis, report)));
     draft.device.extend(mailbox::mailbox(device, report));
     draft.device.extend(mailbox::timeouts(&device.timeouts, report));

@@ -142,7 +142,7 @@ fn excludes(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> 
 }
 
 /// An entry of a PDO: a word, or a table where the word is not all.
-fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Toml {
+pub(super) fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Toml {
     let bits = || ("bits".to_owned(), Toml::Integer(entry.bits.into()));
     let named = |name: &String| ("name".to_owned(), Toml::text(name));
     let names = words::in_languages(&entry.names).map(|it| ("names".to_owned(), it));

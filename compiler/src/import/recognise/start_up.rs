@@ -4,6 +4,8 @@ use super::super::read::InitCmd;
 use super::super::read::Written;
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
+use super::assigned::process_data;
+use super::chosen::{Chosen, Surroundings, lose};
 use super::derived::is_derived;
 use super::draft::Block;
 use super::literal::literal;
@@ -16,45 +18,48 @@ const TRANSITIONS: [&str; 6] = ["IP", "PS", "SO", "OS", "SP", "OP"];
 /// Bytes of the longest value in a start-up list of a description.
 const LONGEST: usize = 8;
 
-/// `[configurations.start-up]`, if anything is written that a description can say.
-pub(super) fn configuration<'c>(
-    commands: impl IntoIterator<Item = &'c InitCmd>,
-    references: &References,
+/// `[configurations.start-up]`, if anything is written that a description can say: what a configuration has keys for by
+/// these, all else as writes.
+pub(super) fn configuration(
+    commands: &[&InitCmd],
+    surroundings: &Surroundings<'_>,
     report: &mut Report,
 ) -> Option<Block> {
+    let (derived, own): (Vec<&InitCmd>, Vec<&InitCmd>) =
+        commands.iter().partition(|command| is_derived(command.index));
+    let mut keys = process_data(&derived, surroundings, report);
+    let chosen = Chosen::of(&own, surroundings);
     let mut writes = Vec::new();
-    for command in commands {
-        match self::writes(command, references) {
+    for command in own {
+        match self::writes(command, surroundings.references) {
+            Ok(_) if chosen.has(command) => chosen.comment(command, surroundings.references, report),
             Ok(found) => writes.extend(found),
-            Err(why) => {
-                let place = format!("0x{:04X}:{:02X}", command.index, command.subindex);
-                let data: String = command.data.iter().map(|byte| format!("{byte:02X}")).collect();
-                let what = format!("InitCmd {place} in {}", command.transitions.join(", "));
-                report.lose(command.at, command.facts, what, format!("{why}; it writes {data}"));
-            }
+            Err(why) => lose(command, &why, report),
         }
     }
-    if writes.is_empty() {
+    keys.extend(chosen.keys());
+    if !writes.is_empty() {
+        set(&mut keys, "writes", Toml::List(writes));
+    }
+    if keys.is_empty() {
         return None;
     }
-    let mut keys = Keys::new();
-    set(&mut keys, "name", Toml::text("Start-up"));
-    set(&mut keys, "default", Toml::Bool(true));
-    set(&mut keys, "writes", Toml::List(writes));
+    let head = [("name", Toml::text("Start-up")), ("default", Toml::Bool(true))];
+    let keys = head.map(|(key, value)| (key.to_owned(), value)).into_iter().chain(keys).collect();
     Some(Block::new("configurations", Some("start-up".to_owned()), keys))
 }
 
 /// What a command writes, once for each transition; or why a description cannot say it.
 fn writes(command: &InitCmd, references: &References) -> Result<Vec<Toml>, String> {
-    if is_derived(command.index) {
-        return Err("masters write assignments and mappings by themselves, as the PDOs say".to_owned());
-    }
     let target = references.get(command.index, command.subindex).ok_or("it is not in the dictionary")?;
     let data_type = target.data_type;
     let is_whole = match data_type {
         DataType::Text(_) => true,
         _ => usize::try_from(data_type.bytes()) == Ok(command.data.len()),
     };
+    if command.complete_access {
+        return Err("it writes an object as a whole".to_owned());
+    }
     if !is_whole || command.data.len() > LONGEST {
         return Err(format!("its entry is {data_type}"));
     }

@@ -191,20 +191,26 @@ fn keys(
 }
 
 /// Reports mapping units that are not those that follow from the sync managers, in their usual order.
-pub(super) fn fmmus(fmmus: &[Fmmu], managers: &[Manager<'_>], report: &mut Report) {
+pub(super) fn fmmus(fmmus: &[Fmmu], managers: &[Manager<'_>], pdos: [&[&Pdo]; 2], report: &mut Report) {
     let usual = [(Role::Outputs, "outputs"), (Role::Inputs, "inputs"), (Role::MailboxIn, "mboxstate")];
-    let mut made = usual.into_iter().flat_map(|(role, name)| {
-        managers.iter().filter(move |it| it.role == role).map(move |it| (name, it.number))
-    });
-    for Fmmu { at, name, sm } in fmmus {
+    let mut made = usual
+        .into_iter()
+        .flat_map(|(role, name)| managers.iter().filter(move |it| it.role == role).map(move |it| (name, it)));
+    for Fmmu { at, name, sm, su } in fmmus {
         let unit = made.by_ref().find(|(made, _)| name.eq_ignore_ascii_case(made));
-        let other = |number: u8| sm.is_some_and(|sm| sm != number);
         let facts = match unit {
             None => usize::from(!name.is_empty()) + usize::from(sm.is_some()),
-            Some((_, number)) => usize::from(other(number)),
+            Some((_, manager)) => usize::from(sm.is_some_and(|sm| sm != manager.number)),
         };
         if facts > 0 {
             report.lose(*at, facts, format!("Fmmu `{name}`"), "mapping units follow from the sync managers");
+        }
+        let follows = |number: u8| {
+            let carried = unit.map(|(_, manager)| carried(manager, pdos)).unwrap_or_default();
+            !carried.is_empty() && carried.iter().all(|pdo| pdo.su == Some(number))
+        };
+        if su.is_some_and(|number| !follows(number)) {
+            report.lose(*at, 1, "Fmmu/@Su", "the PDOs that it maps are not all of this sync unit");
         }
     }
 }

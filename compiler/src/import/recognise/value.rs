@@ -7,6 +7,7 @@ use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set, set_some};
 use super::literal::{bits_of_real, literal};
 use super::types::data_type;
+use super::units::Units;
 use super::words;
 use crate::model::{Access, DataType};
 
@@ -23,7 +24,13 @@ pub(super) struct Said {
 
 /// What a value says, be it a `single` one or one among others; none if its type is none of the language, which is
 /// reported.
-pub(super) fn said(value: &Value, at: &str, single: bool, report: &mut Report) -> Option<Said> {
+pub(super) fn said(
+    value: &Value,
+    at: &str,
+    single: bool,
+    units: &Units,
+    report: &mut Report,
+) -> Option<Said> {
     let Some((data_type, other)) = data_type(&value.type_name, value.bits) else {
         let bits = value.bits.unwrap_or(0);
         let why = format!("descriptions have no type `{}` of {bits} bits", value.type_name);
@@ -42,6 +49,7 @@ pub(super) fn said(value: &Value, at: &str, single: bool, report: &mut Report) -
     set_some(&mut keys, "names", words::in_languages(&value.names));
     set(&mut keys, "type", Toml::text(data_type.to_string()));
     flags(value, at, &mut keys, report);
+    set_some(&mut keys, "unit", units.id(value).map(Toml::text));
     for (name, datum) in [("default", &value.default), ("min", &value.min), ("max", &value.max)] {
         let literal = datum.as_ref().and_then(|datum| number(datum, name, at, data_type, report));
         if let Some(literal) = literal.filter(|literal| !is_bound(name, literal, data_type)) {
