@@ -974,10 +974,6 @@ impl core::fmt::Display for Statusword {
 ::devc_runtime::value!(Statusword as u16);
 
 /// `0x607E` Polarity (5.1.4.2.2, Tab. 34).
-///
-/// Assumed, bits.6: the manual gives bit 7 only, without a name; its name, and that of bit 6, are the
-/// profile's. Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of
-/// bit 6, are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Polarity(pub u8);
 
@@ -1003,17 +999,13 @@ impl core::fmt::Display for Polarity {
 /// Bits 0 to 7 belong to position measurement 1, whose signal I110 chooses; bits 8 to 15 do the same
 /// for measurement 2 and I126.
 ///
-/// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
-/// all names, are the profile's. Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their
-/// like from 8 on; the others, and all names, are the profile's. Assumed, bits.4: the manual describes
-/// bits 0, 1, 4 and 5, and their like from 8 on; the others, and all names, are the profile's. Assumed,
-/// bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and all
-/// names, are the profile's. Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like
-/// from 8 on; the others, and all names, are the profile's. Assumed, bits.9: the manual describes bits
-/// 0, 1, 4 and 5, and their like from 8 on; the others, and all names, are the profile's. Assumed,
-/// bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and all
-/// names, are the profile's. Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like
-/// from 8 on; the others, and all names, are the profile's.
+/// Assumed, bits.0.name: the manual describes the bit without naming it; the profile's. Assumed,
+/// bits.1.name: the manual describes the bit without naming it; the profile's. Assumed, bits.4.name:
+/// the manual describes the bit without naming it; the profile's. Assumed, bits.5.name: the manual
+/// describes the bit without naming it; the profile's. Assumed, bits.8.name: the manual describes the
+/// bit without naming it; the profile's. Assumed, bits.9.name: the manual describes the bit without
+/// naming it; the profile's. Assumed, bits.12.name: the manual describes the bit without naming it; the
+/// profile's. Assumed, bits.13.name: the manual describes the bit without naming it; the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TouchProbeFunction(pub u16);
 
@@ -1095,15 +1087,12 @@ impl core::fmt::Display for TouchProbeFunction {
 ///
 /// All bits of a measurement are cleared when it is switched off.
 ///
-/// Assumed, bits.0: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's. Assumed, bits.1: the manual describes bits 0 to 2, and
-/// that measurement 2 works as 1 does; the others, and all names, are the profile's. Assumed, bits.2:
-/// the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the others, and all names,
-/// are the profile's. Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works
-/// as 1 does; the others, and all names, are the profile's. Assumed, bits.9: the manual describes bits
-/// 0 to 2, and that measurement 2 works as 1 does; the others, and all names, are the profile's.
-/// Assumed, bits.10: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
-/// others, and all names, are the profile's.
+/// Assumed, bits.0.name: the manual describes the bit without naming it; the profile's. Assumed,
+/// bits.1.name: the manual describes the bit without naming it; the profile's. Assumed, bits.2.name:
+/// the manual describes the bit without naming it; the profile's. Assumed, bits.8.name: the manual
+/// describes the bit without naming it; the profile's. Assumed, bits.9.name: the manual describes the
+/// bit without naming it; the profile's. Assumed, bits.10.name: the manual describes the bit without
+/// naming it; the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TouchProbeStatus(pub u16);
 
@@ -1162,9 +1151,7 @@ impl core::fmt::Display for TouchProbeStatus {
 /// With bit 6 of the control word at 1, bits 0 and 1 choose between the motion commands
 /// MC\_MoveAdditive (00) and MC\_MoveRelative (10).
 ///
-/// Assumed, bits.0..=1.about: the manual describes two values of bits 0 and 1; the other bits, and all
-/// names, are the profile's. Assumed, bits.0..=1.values: the manual describes two values of bits 0 and
-/// 1; the other bits, and all names, are the profile's.
+/// Assumed, bits.0..=1.values.1: the manual has the values 0 and 2 only; this one is the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct PositioningOptionCode(pub u16);
 

@@ -1505,6 +1505,17 @@ pub mod objects {
 /// `0x6040` Controlword (3.4.2).
 ///
 /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
+///
+/// Assumed, bits.4: no table or text of the controlword has it, and a bit that is not mentioned is
+/// taken to do nothing. Assumed, bits.5: no table or text of the controlword has it, and a bit that is
+/// not mentioned is taken to do nothing. Assumed, bits.6: no table or text of the controlword has it,
+/// and a bit that is not mentioned is taken to do nothing. Assumed, bits.8: no table or text of the
+/// controlword has it, and a bit that is not mentioned is taken to do nothing. Assumed, bits.9: no
+/// table or text of the controlword has it, and a bit that is not mentioned is taken to do nothing.
+/// Assumed, bits.10: no table or text of the controlword has it, and a bit that is not mentioned is
+/// taken to do nothing. Assumed, bits.13: no table or text of the controlword has it, and a bit that is
+/// not mentioned is taken to do nothing. Assumed, bits.14: no table or text of the controlword has it,
+/// and a bit that is not mentioned is taken to do nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Controlword(pub u16);
 
@@ -1588,6 +1599,8 @@ impl core::fmt::Display for Controlword {
 /// `0x6041` Statusword (3.4.2, 3.4.3).
 ///
 /// Bits 0 to 3, 5 and 6 show the state.
+///
+/// Assumed, bits.4: no table or text of the statusword has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Statusword(pub u16);
 

@@ -1,6 +1,8 @@
 //! The words of names, and slips of the pen in them.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::Bound;
 
 /// A word is told from another by one letter only if it is this long: `opmode` and `opemode`, but not `mode` and `node`.
 const TOLD_APART: usize = 6;
@@ -13,9 +15,14 @@ const BOTH_WORDS: &[(&str, &str)] =
     &[("present", "preset"), ("through", "though"), ("started", "stated"), ("contract", "contact")];
 
 /// The words of a name in lower case.
-pub(super) fn words(name: &str) -> Vec<String> {
+pub(super) fn words(name: &str) -> Vec<Cow<'_, str>> {
     let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_lowercase).collect()
+    words.map(lower).collect()
+}
+
+fn lower(word: &str) -> Cow<'_, str> {
+    let is_lower = word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit());
+    if is_lower { Cow::Borrowed(word) } else { Cow::Owned(word.to_lowercase()) }
 }
 
 /// Whether a word is another with one letter changed, missing, too many, or in the other's place. Endings are grammar
@@ -47,19 +54,53 @@ fn spelt(word: &str) -> String {
     one.iter().fold(word.replace('z', "s"), |word, (british, american)| word.replace(british, american))
 }
 
-/// The words of a device's names, with how often each is used.
-#[derive(Default)]
+/// The words of a device's names that others of them have otherwise, with what is meant.
 pub(super) struct Vocabulary {
-    uses: BTreeMap<String, usize>,
-    /// Words by those that are slips of them.
-    slips: BTreeMap<String, String>,
-    /// How often a word stands before a number, with the number once.
-    numbered: BTreeMap<String, (usize, String)>,
+    odd: BTreeMap<String, Meant>,
+}
+
+/// What is meant by a word.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Meant {
+    /// A word that is used so often.
+    Word(String, usize),
+    /// The word, and then its number.
+    Parted(String),
 }
 
 impl Vocabulary {
     /// The words of these names.
     pub(super) fn of<'n>(names: impl Iterator<Item = &'n str>) -> Self {
+        let uses = Uses::of(names);
+        let parted = uses.of_word.keys().filter_map(|word| Some((word.to_string(), uses.parted(word)?)));
+        let parted = parted.map(|(word, meant)| (word, Meant::Parted(meant)));
+        let slips = uses.slips().into_iter();
+        let slips =
+            slips.map(|(slip, meant)| (slip.to_owned(), Meant::Word(meant.to_owned(), uses.count(meant))));
+        Self { odd: parted.chain(slips).collect() }
+    }
+
+    /// Whether no word is odd.
+    pub(super) fn is_regular(&self) -> bool {
+        self.odd.is_empty()
+    }
+
+    /// What is meant by a word that most names have otherwise.
+    pub(super) fn meant(&self, word: &str) -> Option<&Meant> {
+        self.odd.get(word)
+    }
+}
+
+/// How often each word is used.
+#[derive(Default)]
+struct Uses<'n> {
+    of_word: BTreeMap<Cow<'n, str>, usize>,
+    /// How often a word stands before a number, with the number once.
+    numbered: BTreeMap<Cow<'n, str>, (usize, Cow<'n, str>)>,
+}
+
+impl<'n> Uses<'n> {
+    fn of(names: impl Iterator<Item = &'n str>) -> Self {
         let mut all = Self::default();
         for words in names.map(words) {
             for (word, number) in words.iter().zip(words.iter().skip(1)) {
@@ -68,46 +109,42 @@ impl Vocabulary {
                 }
             }
             for word in words.into_iter().filter(|word| word.len() <= LONGEST) {
-                *all.uses.entry(word).or_default() += 1;
+                *all.of_word.entry(word).or_default() += 1;
             }
         }
-        all.slips = all.slips();
         all
     }
 
-    /// The words that are slips of others: of two that a letter more or the order of two letters tells apart, the one that
-    /// is used less. A letter that is another one most often makes another word.
-    fn slips(&self) -> BTreeMap<String, String> {
-        let mut slips: BTreeMap<String, String> = BTreeMap::new();
-        for (word, uses) in self.uses.iter().filter(|(word, _)| word.chars().count() >= TOLD_APART) {
+    /// The words that are slips of others, with these: of two that a letter more or the order of two letters tells apart, the
+    /// one that is used less. A letter that is another one most often makes another word.
+    fn slips(&self) -> BTreeMap<&str, &str> {
+        let mut slips: BTreeMap<&str, &str> = BTreeMap::new();
+        for (word, uses) in self.of_word.iter().filter(|(word, _)| word.chars().count() >= TOLD_APART) {
             let shorter = without_one(word).filter(|short| short.chars().count() >= TOLD_APART);
             for (other, others) in
-                shorter.chain(transposed(word)).filter_map(|it| self.uses.get_key_value(&it))
+                shorter.chain(transposed(word)).filter_map(|it| self.of_word.get_key_value(it.as_str()))
             {
+                let (word, other): (&str, &str) = (word, other);
                 let (slip, meant) = if uses < others { (word, other) } else { (other, word) };
-                let is_better = |known: &String| self.uses(known) < self.uses(meant);
+                let is_better = |known: &&str| self.count(known) < self.count(meant);
                 if uses != others
                     && is_slip(slip, meant)
-                    && !BOTH_WORDS.contains(&(word.min(other).as_str(), word.max(other).as_str()))
+                    && !BOTH_WORDS.contains(&(word.min(other), word.max(other)))
                     && slips.get(slip).is_none_or(is_better)
                 {
-                    slips.insert(slip.clone(), meant.clone());
+                    slips.insert(slip, meant);
                 }
             }
         }
         slips
     }
 
-    /// The word that is meant by another, if it is used more often, and how often it is.
-    pub(super) fn meant(&self, word: &str) -> Option<(&str, usize)> {
-        self.slips.get(word).map(|meant| (meant.as_str(), self.uses(meant)))
-    }
-
     /// What a word with a number at its end is elsewhere, if it is so more often: the word, then a number.
-    pub(super) fn parted(&self, word: &str) -> Option<String> {
+    fn parted(&self, word: &str) -> Option<String> {
         let alone = word.trim_end_matches(|c: char| c.is_ascii_digit());
         let (uses, number) = self.numbered.get(alone).filter(|_| alone.len() < word.len())?;
-        let joined = self.uses.range(alone.to_owned()..).take_while(|(other, _)| other.starts_with(alone));
+        let from = (Bound::Included(alone), Bound::Unbounded);
+        let joined = self.of_word.range::<str, _>(from).take_while(|(other, _)| other.starts_with(alone));
         let is_numbered = |other: &str| {
             let rest = other.strip_prefix(alone).unwrap_or_default();
             !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit())
@@ -116,8 +153,8 @@ impl Vocabulary {
         (*uses > joined && alone.chars().count() >= TOLD_APART).then(|| format!("{alone} {number}"))
     }
 
-    fn uses(&self, word: &str) -> usize {
-        self.uses.get(word).copied().unwrap_or_default()
+    fn count(&self, word: &str) -> usize {
+        self.of_word.get(word).copied().unwrap_or_default()
     }
 }
 
@@ -141,7 +178,7 @@ fn transposed(word: &str) -> impl Iterator<Item = String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Vocabulary, is_slip};
+    use super::{Meant, Vocabulary, is_slip};
 
     #[test]
     fn a_slip_is_one_letter_and_no_other_word() {
@@ -168,7 +205,7 @@ mod tests {
         let names =
             ["Position", "Position limit", "Postion reached", "Present position", "Preset value", "Preset"];
         let words = Vocabulary::of(names.into_iter());
-        assert_eq!(words.meant("postion"), Some(("position", 3)));
+        assert_eq!(words.meant("postion"), Some(&Meant::Word("position".to_owned(), 3)));
         assert_eq!(words.meant("position"), None, "it is the usual one");
         assert_eq!(words.meant("present"), None, "both are words");
         let words = Vocabulary::of(
@@ -183,8 +220,8 @@ mod tests {
         let words = Vocabulary::of(
             ["Manager 0", "Manager 1", "Manager3", "Output1", "Output2", "Output 3"].into_iter(),
         );
-        assert_eq!(words.parted("manager3").as_deref(), Some("manager 0"));
-        assert_eq!(words.parted("output1"), None, "most are written so");
-        assert_eq!(words.parted("manager"), None);
+        assert_eq!(words.meant("manager3"), Some(&Meant::Parted("manager 0".to_owned())));
+        assert_eq!(words.meant("output1"), None, "most are written so");
+        assert_eq!(words.meant("manager"), None);
     }
 }

@@ -1,7 +1,7 @@
 //! Settings outside the dictionary, and the vendor's own numbering of it.
 
 use super::table::table;
-use super::{Address, Effective, Index, Source, Stored, Value, ValueRanges, model};
+use super::{Address, Effective, Index, Kind, Source, Stored, Value, ValueRanges, model};
 use crate::source::Origin;
 
 table! {
@@ -12,9 +12,14 @@ table! {
         pub id: String,
         /// Its name.
         pub name: String,
-        /// Where it lies in the dictionary of the first axis, if the vendor's numbering says so.
+        /// Where it lies in the dictionary of the first axis, if the vendor's numbering says so: its only value, or
+        /// the first of its elements.
         #[serde(skip_deserializing)]
         pub address: Option<Address>,
+        /// What it is made of: one value, or elements of one type or of several.
+        pub kind: Option<Kind>,
+        /// How many elements it has, which are counted from 0.
+        pub elements: Option<u8>,
         /// What it does, and how it is reached.
         pub about: Option<String>,
         /// Its value on delivery.
@@ -35,6 +40,13 @@ table! {
     }
 }
 
+impl Parameter {
+    /// Whether it has elements, as arrays and records have.
+    pub fn has_elements(&self) -> bool {
+        self.elements.is_some() || self.kind.is_some_and(|kind| kind != Kind::Var)
+    }
+}
+
 model! {
     /// How the vendor's parameters lie in the dictionary of the first axis: `E200[0]` has the index
     /// `base + number of group E × group_size + 200`.
@@ -43,8 +55,8 @@ model! {
         pub base: Index,
         /// How many lines a group has room for.
         pub group_size: u16,
-        /// What is added to the element to get the subindex in SDO information.
-        pub info_shift: u8,
+        /// What is added to the number of an element to get its subindex.
+        pub element_shift: u8,
         /// The groups by letter.
         pub groups: Vec<Group>,
         /// How to use it.
@@ -86,23 +98,25 @@ impl Coordinates {
     /// The address of a coordinate such as `E200[0]` or `A515` on the first axis.
     pub fn address(&self, text: &str) -> Option<Address> {
         let number = |letter: &str| self.groups.iter().find(|group| group.letter == letter)?.number;
-        coordinate(text, self.base, self.group_size, number)
+        coordinate(text, (self.base, self.group_size, self.element_shift), number)
     }
 }
 
-/// The address of a coordinate in groups of a size from a base on.
+/// The address of a coordinate in groups of a size from a base on, whose elements have subindices from a shift on.
 pub(crate) fn coordinate(
     text: &str,
-    base: Index,
-    size: u16,
+    (base, size, shift): (Index, u16, u8),
     number: impl FnOnce(&str) -> Option<u16>,
 ) -> Option<Address> {
-    let (place, element) = match text.strip_suffix(']') {
-        Some(rest) => rest.split_once('[')?,
-        None => (text, "0"),
+    let (place, subindex) = match text.strip_suffix(']') {
+        Some(rest) => {
+            let (place, element) = rest.split_once('[')?;
+            (place, element.parse::<u8>().ok()?.checked_add(shift)?)
+        }
+        None => (text, 0),
     };
     let letter = place.get(..1)?;
     let line: u16 = place.get(1..)?.parse().ok().filter(|line| *line < size)?;
     let index = number(letter)?.checked_mul(size)?.checked_add(base.0)?.checked_add(line)?;
-    Some(Address { index: Index(index), subindex: element.parse().ok()? })
+    Some(Address { index: Index(index), subindex })
 }

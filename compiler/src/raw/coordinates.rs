@@ -15,10 +15,10 @@ raw! {
         pub base: u16,
         /// How many lines a group has room for.
         pub group_size: u16,
-        /// What is added to the element to get the subindex when the dictionary is read out by SDO information;
-        /// in all other accesses the subindex is the element.
+        /// What is added to the number of an element to get its subindex; a parameter without elements has
+        /// subindex 0.
         #[serde(default)]
-        pub info_shift: u8,
+        pub element_shift: u8,
         /// The groups by letter.
         #[serde(default)]
         pub groups: BTreeMap<String, RawGroup>,
@@ -56,6 +56,6 @@ impl RawCoordinates {
     /// The address of a coordinate such as `E200[0]` or `A515` on the first axis.
     pub(crate) fn address(&self, text: &str) -> Option<Address> {
         let number = |letter: &str| self.groups.get(letter)?.number;
-        coordinate(text, Index(self.base), self.group_size, number)
+        coordinate(text, (Index(self.base), self.group_size, self.element_shift), number)
     }
 }

@@ -7,9 +7,9 @@ use crate::source::{Origin, keys};
 
 /// How the vendor's parameters lie in the dictionary.
 pub(super) fn coordinates(context: &mut Context<'_>, raw: RawCoordinates) -> Coordinates {
-    let RawCoordinates { key: _, base, group_size, info_shift, groups, about, source, origin } = raw;
+    let RawCoordinates { key: _, base, group_size, element_shift, groups, about, source, origin } = raw;
     let groups = groups.iter().map(|(letter, raw)| group(context, letter, raw, &origin)).collect();
-    Coordinates { base: Index(base), group_size, info_shift, groups, about, source, origin }
+    Coordinates { base: Index(base), group_size, element_shift, groups, about, source, origin }
 }
 
 fn group(context: &mut Context<'_>, letter: &str, raw: &RawGroup, origin: &Origin) -> Group {

@@ -13,64 +13,66 @@ use crate::model::{
     Arrangement, Device, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition, Slots, Tables,
     repetitions,
 };
-use crate::raw::{RawAxes, RawDevice};
+use crate::raw::{RawAxes, RawDevice, RawHead};
 
 /// Resolves a device; what cannot be resolved is reported and left out. None if it has no name or no identity, which
 /// was reported before.
 pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<Device> {
     let context = &mut context(&mut raw, diagnostics);
     closed::judge(context, &raw);
-    let (head, identity) = (raw.head?, raw.identity?);
-    let mut described = objects::objects(context, raw.objects);
-    let modules = sorted(raw.modules, |module| module.ident);
-    let slots =
+    #[rustfmt::skip] // by name and whole, so that no section is read and then forgotten
+    let RawDevice {
+        id, head, identity, eeprom, documents, axes, modules, slots, areas, objects, parameters, units, rx_pdos, tx_pdos,
+        sync_managers, mailbox, timeouts, configurations, words, states, commands, transitions, device_control,
+        communication_states, communication_transitions, modes, mode_changes, stop_options, homing_methods, errors,
+        vendor_codes, diagnosis, sync_modes, cycle_times, dead_time, registers, al_status_codes, abort_codes, telegrams, leds,
+        connectors, limits, master_settings, procedures, remarks, errata, assumptions, written,
+        // What the family says of itself, what the context has, and what rules are set to.
+        family: _, enumerations: _, coordinates: _, offered: _, lints: _,
+    } = raw;
+    let (head, identity) = (head?, identity?);
+    let mut described = objects::objects(context, objects);
+    let modules = sorted(modules, |module| module.ident);
+    let of_slots =
         Slots { axes: &context.axes, shifts: &context.shifts, modules: &modules, profile: head.profile };
-    restated::fill(&mut described.objects, &head, &identity, raw.axes.as_ref(), &slots);
-    let pdos = pdos::of_both_ways(context, [&raw.rx_pdos, &raw.tx_pdos], &described.objects);
+    restated::fill(&mut described.objects, &head, &identity, axes.as_ref(), &of_slots);
+    let pdos = pdos::of_both_ways(context, [&rx_pdos, &tx_pdos], &described.objects);
     mappability::settle(&mut described.objects, &pdos);
-    let raw_pdos: Vec<_> = raw.rx_pdos.iter().chain(&raw.tx_pdos).collect();
-    let sync_managers = sync_managers::sync_managers(context, raw.sync_managers, &raw_pdos, &pdos);
-    let (mailbox, origin) = (raw.mailbox.as_ref(), &head.origin);
-    let basis = Basis { pdos: &pdos, sync_managers: &sync_managers, mailbox, origin };
+    let raw_pdos: Vec<_> = rx_pdos.iter().chain(&tx_pdos).collect();
+    let sync_managers = sync_managers::sync_managers(context, sync_managers, &raw_pdos, &pdos);
+    let basis =
+        Basis { pdos: &pdos, sync_managers: &sync_managers, mailbox: mailbox.as_ref(), origin: &head.origin };
     let objects = derived::dictionary(context, described, &basis);
-    let configurations = configurations::configurations(context, raw.configurations, &objects, &basis);
-    let words = words::words(context, raw.words, &objects);
-    let repetitions = repeated(context, &objects, &pdos);
+    let configurations = configurations::configurations(context, configurations, &objects, &basis);
+    let words = words::words(context, words, &objects);
+    #[rustfmt::skip] // as above
+    let RawHead {
+        key: _, name, names, url, urls, vendor, title, about, image, image_bytes, models, profile, group, type_name, physics,
+        ebus_current, no_lrw, source, origin,
+    } = head;
     #[rustfmt::skip] // a line for what belongs together
     let device = Device {
-        id: raw.id,
-        group: head.group.unwrap_or_else(|| format!("{} drives", head.vendor)),
-        type_name: head.type_name.unwrap_or_else(|| head.name.replace(' ', "-")),
-        physics: head.physics.unwrap_or_else(|| "YY".to_owned()),
-        name: head.name, names: head.names, url: head.url, urls: head.urls, vendor: head.vendor, title: head.title, about: head.about,
-        image: head.image.zip(head.image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
-        models: head.models, profile: head.profile, source: head.source, origin: head.origin,
-        identity, ebus_current: head.ebus_current, no_lrw: head.no_lrw, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
-        axes: context.axes.clone(), arrangement: arrangement(context, raw.axes), modules, slots: raw.slots,
-        connectors: raw.connectors, leds: raw.leds,
-        communication_states: sorted(raw.communication_states, |state| state.code),
-        communication_transitions: raw.communication_transitions,
-        al_status_codes: sorted(raw.al_status_codes, |code| code.code),
-        abort_codes: sorted(raw.abort_codes, |code| code.code),
-        sync_managers, mailbox: raw.mailbox, timeouts: raw.timeouts,
-        sync_modes: kept::sync_modes(raw.sync_modes), cycle_times: raw.cycle_times, dead_time: raw.dead_time,
-        pdos: by_direction(pdos), configurations, words,
-        states: raw.states, commands: raw.commands,
-        transitions: sorted(raw.transitions, |transition| transition.number),
-        device_control: raw.device_control,
-        modes: modes::modes(context, raw.modes), mode_changes: raw.mode_changes, stop_options: raw.stop_options,
-        homing_methods: kept::homing_methods(raw.homing_methods),
-        errors: kept::errors(raw.errors), vendor_codes: sorted(raw.vendor_codes, |code| code.code),
-        diagnosis: sorted(raw.diagnosis, |message| message.text_id),
-        units: units::units(context, raw.units), coordinates: context.names.coordinates(),
-        areas: sorted(raw.areas, |area| (area.first, area.last)), repetitions,
-        enumerations: std::mem::take(&mut context.enumerations), objects,
-        registers: sorted(raw.registers, |register| register.address), telegrams: raw.telegrams,
-        master_settings: raw.master_settings,
-        parameters: parameters(context, raw.parameters),
-        procedures: front::procedures(context, raw.procedures),
-        documents: raw.documents, errata: raw.errata, remarks: raw.remarks, assumptions: raw.assumptions,
-        written: Tables(raw.written),
+        id,
+        group: group.unwrap_or_else(|| format!("{vendor} drives")),
+        type_name: type_name.unwrap_or_else(|| name.replace(' ', "-")),
+        physics: physics.unwrap_or_else(|| "YY".to_owned()),
+        image: image.zip(image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
+        name, names, url, urls, vendor, title, about, models, profile, source, origin,
+        identity, ebus_current, no_lrw, eeprom: eeprom.unwrap_or_else(usual_eeprom),
+        axes: context.axes.clone(), arrangement: arrangement(context, axes), modules, slots,
+        communication_states: sorted(communication_states, |state| state.code), communication_transitions,
+        al_status_codes: sorted(al_status_codes, |code| code.code), abort_codes: sorted(abort_codes, |code| code.code),
+        sync_managers, mailbox, timeouts, sync_modes: kept::sync_modes(sync_modes), cycle_times, dead_time,
+        repetitions: repeated(context, &objects, &pdos), pdos: by_direction(pdos), configurations, words, objects,
+        states, commands, transitions: sorted(transitions, |transition| transition.number), device_control,
+        modes: modes::modes(context, modes), mode_changes, stop_options, homing_methods: kept::homing_methods(homing_methods),
+        errors: kept::errors(errors), vendor_codes: sorted(vendor_codes, |code| code.code),
+        diagnosis: sorted(diagnosis, |message| message.text_id),
+        units: units::units(context, units), coordinates: context.names.coordinates(),
+        areas: sorted(areas, |area| (area.first, area.last)), enumerations: std::mem::take(&mut context.enumerations),
+        registers: sorted(registers, |register| register.address), telegrams, connectors, leds, limits, master_settings,
+        parameters: with_addresses(context, parameters), procedures: front::procedures(context, procedures),
+        documents, errata, remarks, assumptions, written: Tables(written),
     };
     kept::references(context, &device);
     Some(device)
@@ -101,7 +103,7 @@ fn repeated(context: &Context<'_>, objects: &[Object], pdos: &[Pdo]) -> Vec<Repe
 }
 
 /// The EEPROM of a description that says nothing of it.
-fn eeprom() -> Eeprom {
+fn usual_eeprom() -> Eeprom {
     Eeprom { size: Eeprom::USUAL_SIZE, ..Eeprom::default() }
 }
 
@@ -125,7 +127,10 @@ fn by_direction(pdos: Vec<Pdo>) -> Vec<Pdo> {
 }
 
 /// The settings, each with its place in the dictionary.
-fn parameters(context: &Context<'_>, mut parameters: Vec<Parameter>) -> Vec<Parameter> {
-    parameters.iter_mut().for_each(|parameter| parameter.address = context.names.coordinate(&parameter.id));
+fn with_addresses(context: &Context<'_>, mut parameters: Vec<Parameter>) -> Vec<Parameter> {
+    for parameter in &mut parameters {
+        let element = if parameter.has_elements() { "[0]" } else { "" };
+        parameter.address = context.names.coordinate(&format!("{}{element}", parameter.id));
+    }
     parameters
 }

@@ -1,12 +1,18 @@
 //! Coordinates of parameters, and the parameters themselves, against chapters 4.2 and 7.2.
 
-use devc::model::{Coordinates, Group};
+use devc::model::{Coordinates, Group, Kind};
 use devc_tests::manual::pmc_sc6;
 
-use crate::{departs, device, fact, number, rows};
+use crate::{departs, device, fact, family, number, rows};
 
 fn coordinates() -> &'static Coordinates {
     device().coordinates.as_ref().expect("they are described")
+}
+
+/// The coordinates of a member: the template that it is described with decides on subindices.
+fn member_coordinates(id: &str) -> &'static Coordinates {
+    let member = family().members.iter().find(|member| member.id == id).expect("there is one");
+    member.coordinates.as_ref().expect("they are described")
 }
 
 fn group(letter: &str) -> &'static Group {
@@ -31,9 +37,15 @@ fn the_examples_come_out() {
         assert_eq!(coordinates().base.0 + shift(row.axis), row.base);
         assert_eq!(coordinates().group_size, row.factor);
         assert_eq!(group(&row.parameter[..1]).number, Some(row.group));
-        let address = coordinates().address(row.parameter).expect("its line has an index");
-        assert_eq!((address.index.0 + shift(row.axis), address.subindex), (row.index, row.rx));
-        assert_eq!(coordinates().info_shift, row.sdo_info - row.rx);
+        for (member, subindex) in [("double", row.sdo_info), ("double-hires", row.rx)] {
+            let coordinates = member_coordinates(member);
+            let address = coordinates.address(row.parameter).expect("its line has an index");
+            assert_eq!(
+                (address.index.0 + shift(row.axis), address.subindex),
+                (row.index, subindex),
+                "{member}"
+            );
+        }
     }
     let simple = coordinates().address("A67").map(|address| address.subindex.to_string());
     assert_eq!(simple.as_deref(), Some(fact("parameter-subindex-simple")));
@@ -138,6 +150,22 @@ fn parameters_have_their_names_or_say_that_none_is_printed() {
 #[test]
 fn parameters_lie_where_the_formula_puts_them() {
     for parameter in &device().parameters {
-        assert_eq!(parameter.address, coordinates().address(&parameter.id), "{}", parameter.id);
+        let element = if parameter.has_elements() { "[0]" } else { "" };
+        let place = coordinates().address(&format!("{}{element}", parameter.id));
+        assert_eq!(parameter.address, place, "{}", parameter.id);
     }
+}
+
+#[test]
+fn parameters_are_what_the_text_says_they_are() {
+    let made_of = |id: &str| {
+        let found = device().parameters.iter().find(|parameter| parameter.id == id);
+        found.map(|parameter| (parameter.kind, parameter.elements))
+    };
+    // Table 3: start, progress and result of saving; an access level for each way in; a single value.
+    assert_eq!(made_of("A00"), Some((Some(Kind::Record), Some(3))));
+    assert_eq!(made_of("A10"), Some((Some(Kind::Array), None)));
+    assert_eq!(made_of("A21"), Some((Some(Kind::Var), None)));
+    // 6.1.4: sixteen sources.
+    assert_eq!(made_of("A66"), Some((None, Some(16))));
 }

@@ -1,7 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::lint::texts::{self, Named};
-use crate::lint::words::{Vocabulary, is_slip, words};
+use crate::lint::words::{Meant, Vocabulary, is_slip, words};
 use crate::model::Device;
 use crate::source::{Layer, Node, Value};
 
@@ -47,7 +47,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
 
 /// A name in which each word is the profile's, or a slip of it; or whose letters are the profile's, but parted elsewhere.
 fn against_profile(named: &Named<'_>, report: &Report) -> Option<Diagnostic> {
-    let (usual, node) = profile(named, report)?;
+    let (usual, node) = profile(named, report).filter(|(usual, _)| *usual != named.name)?;
     let (own, theirs) = (words(named.name), words(usual));
     if own == theirs || own.len() != theirs.len() {
         return None;
@@ -69,17 +69,16 @@ fn against_profile(named: &Named<'_>, report: &Report) -> Option<Diagnostic> {
 
 /// A name with a word that other names have otherwise.
 fn against_others(named: &Named<'_>, vocabulary: &Vocabulary) -> Option<Diagnostic> {
+    if vocabulary.is_regular() {
+        return None;
+    }
     words(named.name).iter().find_map(|word| {
-        let message = if let Some((meant, uses)) = vocabulary.meant(word) {
-            let others = if uses == 1 { "another name has" } else { "other names have" };
-            format!("{} is called `{}`, with `{word}`, where {others} `{meant}`", named.at, named.name)
-        } else {
-            let meant = vocabulary.parted(word)?;
-            format!(
-                "{} is called `{}`, with `{word}`, where other names have `{meant}`",
-                named.at, named.name
-            )
+        let (others, meant) = match vocabulary.meant(word)? {
+            Meant::Word(meant, 1) => ("another name has", meant),
+            Meant::Word(meant, _) | Meant::Parted(meant) => ("other names have", meant),
         };
+        let message =
+            format!("{} is called `{}`, with `{word}`, where {others} `{meant}`", named.at, named.name);
         Some(told(named, message))
     })
 }

@@ -11,9 +11,6 @@ pub(super) fn page(context: &Context<'_>, coordinates: &Coordinates) -> Page {
     let mut page = Page::default();
     page.text(context.paragraphs(coordinates.about.as_deref()));
     page.text(format!("> {}", formula(coordinates)));
-    if coordinates.info_shift > 0 {
-        page.text(format!("SDO information counts subindices from {} on.", coordinates.info_shift));
-    }
     let titles = ["Group", "Parameters", "Number", "Indices"];
     page.table(Table::of(titles, &coordinates.groups, |it| group(context, it)));
     page.text(context.said_line(coordinates.source.as_ref(), &coordinates.origin));
@@ -50,10 +47,12 @@ fn key(number: &str) -> (&str, u32, &str) {
 /// The formula, with a worked example of the first group that has a number.
 fn formula(coordinates: &Coordinates) -> String {
     let base = code(coordinates.base);
-    let general = format!(
-        "Index = {base} + number of the group × {} + line; subindex = element.",
-        coordinates.group_size
-    );
+    let subindex = match coordinates.element_shift {
+        0 => "subindex = element".to_owned(),
+        shift => format!("subindex = element + {shift}, or 0 where there are no elements"),
+    };
+    let size = coordinates.group_size;
+    let general = format!("Index = {base} + number of the group × {size} + line; {subindex}.");
     let first = coordinates.groups.iter().find(|group| group.number.is_some());
     let example = first.map(|group| format!("{}1[0]", group.letter));
     let worked = example.and_then(|example| Some((coordinates.address(&example)?, example)));

@@ -4,7 +4,9 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, fragment, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Effective, MasterSetting, Parameter, Procedure, Step, Stored, Value, ValueRange};
+use crate::model::{
+    Address, Effective, Kind, MasterSetting, Parameter, Procedure, Step, Stored, Value, ValueRange,
+};
 
 /// What is set in the master, parameters that are no objects, and procedures step by step.
 pub(super) fn page(
@@ -40,6 +42,8 @@ fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
             id,
             name,
             address,
+            kind,
+            elements,
             about,
             default,
             min,
@@ -51,15 +55,17 @@ fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
             source,
             origin,
         } = parameter;
+        let made = made_of(*kind, *elements);
         let kept = [effective.map(Effective::sentence), stored.map(Stored::sentence)];
+        let kept = kept.into_iter().flatten().map(str::to_owned);
         [
             code(id),
             format!("**{}**", text(name)),
-            address.map_or(String::new(), |address| context.exact(address)),
+            address.map_or(String::new(), |address| place(context, parameter, address)),
             default.as_ref().map_or(String::new(), code),
             range(min.as_ref(), max.as_ref()),
             symbol.as_deref().map_or(String::new(), text),
-            effect(context, about.as_deref(), kept.into_iter().flatten(), values),
+            effect(context, about.as_deref(), made.into_iter().chain(kept), values),
             context.said(source.as_ref(), origin),
         ]
     })
@@ -74,15 +80,41 @@ fn range(min: Option<&Value>, max: Option<&Value>) -> String {
     }
 }
 
+/// Where a parameter lies: at one address, or with its elements at several.
+fn place(context: &Context<'_>, parameter: &Parameter, first: Address) -> String {
+    let place = context.exact(first);
+    let last = parameter.elements.and_then(|count| first.subindex.checked_add(count.checked_sub(1)?));
+    match last {
+        Some(last) if last != first.subindex => format!("{place} to {}", code(format!(":{last:02X}"))),
+        None if parameter.has_elements() => format!("from {place} on"),
+        _ => place,
+    }
+}
+
+/// That it is a single value, or how many elements it has.
+fn made_of(kind: Option<Kind>, elements: Option<u8>) -> Option<String> {
+    let kind = kind.map(|kind| match kind {
+        Kind::Var => "a single value",
+        Kind::Array => "an array",
+        Kind::Record => "a record",
+    });
+    let elements =
+        elements.map(|count| format!("{count} {}", if count == 1 { "element" } else { "elements" }));
+    match (kind, elements) {
+        (Some(kind), Some(elements)) => Some(format!("{kind} of {elements}")),
+        (kind, elements) => elements.or_else(|| kind.map(str::to_owned)),
+    }
+}
+
 fn effect(
     context: &Context<'_>,
     about: Option<&str>,
-    kept: impl Iterator<Item = &'static str>,
+    said: impl Iterator<Item = String>,
     values: &[ValueRange],
 ) -> String {
     let about = about.iter().map(|about| context.prose(about));
     let values = values.iter().map(|range| range_meaning(context, range));
-    about.chain(kept.map(sentence)).chain(values).collect::<Vec<_>>().join("<br>")
+    about.chain(said.map(|said| sentence(&said))).chain(values).collect::<Vec<_>>().join("<br>")
 }
 
 /// A value, or a range of values, with what it means.
