@@ -65,7 +65,7 @@ macro_rules! table {
                 pub origin: $crate::source::Origin,
             }
 
-            $crate::model::compare::compared! { struct $name [$($key)?] {
+            $crate::model::compared::compared! { struct $name [$($key)?] {
                 $($fields)*
                 pub source: Option<$crate::model::Source>,
                 pub origin: $crate::source::Origin,
@@ -113,7 +113,7 @@ pub(crate) use stand;
 macro_rules! part {
     ($($(#[$meta:meta])* pub $kind:ident $name:ident $body:tt)*) => {
         $(
-            $crate::model::compare::compared! { $kind $name [] $body }
+            $crate::model::compared::compared! { $kind $name [] $body }
 
             $(#[$meta])*
             #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
