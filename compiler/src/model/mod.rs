@@ -8,6 +8,7 @@ mod bounds;
 mod carried;
 mod citation;
 mod compare;
+mod compared;
 mod configuration;
 mod control;
 mod data_type;
@@ -63,6 +64,7 @@ mod unit;
 #[cfg(any(feature = "esi", feature = "import"))]
 mod unit_code;
 mod value;
+mod walk;
 mod word;
 
 use crate::source::Origin;
@@ -70,7 +72,7 @@ pub use axis::{Area, Arrangement, Axis, Shift};
 pub use bounds::Bounds;
 pub use carried::Carried;
 pub use citation::Source;
-pub use compare::{Beside, Compare, differences};
+pub use compare::{Beside, Compare, Walker, differences};
 pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::{DataType, Item};

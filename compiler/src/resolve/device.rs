@@ -5,7 +5,7 @@ use super::derived::{self, Basis};
 use super::kept::{self, sorted};
 use super::names::Names;
 use super::{
-    axes, closed, configurations, coordinates, front, mappability, modes, objects, pdos, restated,
+    axes, closed, configurations, coordinates, front, mappability, modes, named, objects, pdos, restated,
     sync_managers, units, words,
 };
 use crate::diagnostic::Diagnostics;
@@ -20,6 +20,7 @@ use crate::raw::{RawAxes, RawDevice, RawHead};
 pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<Device> {
     let context = &mut context(&mut raw, diagnostics);
     closed::judge(context, &raw);
+    named::judge(context, &raw);
     #[rustfmt::skip] // by name and whole, so that no section is read and then forgotten
     let RawDevice {
         id, head, identity, eeprom, documents, axes, modules, slots, areas, objects, parameters, units, rx_pdos, tx_pdos,
@@ -45,6 +46,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     let objects = derived::dictionary(context, described, &basis);
     let configurations = configurations::configurations(context, configurations, &objects, &basis);
     let words = words::words(context, words, &objects);
+    let procedures = front::procedures(context, procedures, &objects);
     #[rustfmt::skip] // as above
     let RawHead {
         key: _, name, names, url, urls, vendor, title, about, image, image_bytes, models, profile, group, type_name, physics,
@@ -71,7 +73,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         units: units::units(context, units), coordinates: context.names.coordinates(),
         areas: sorted(areas, |area| (area.first, area.last)), enumerations: std::mem::take(&mut context.enumerations),
         registers: sorted(registers, |register| register.address), telegrams, connectors, leds, limits, master_settings,
-        parameters: with_addresses(context, parameters), procedures: front::procedures(context, procedures),
+        parameters: with_addresses(context, parameters), procedures,
         documents, errata, remarks, assumptions, written: Tables(written),
     };
     kept::references(context, &device);

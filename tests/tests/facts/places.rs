@@ -128,6 +128,17 @@ impl Place {
         Some(changed)
     }
 
+    /// Whether the table can say why its facts are assumed.
+    pub(crate) fn can_assume(&self) -> bool {
+        self.schema["properties"].get("assumed").is_some()
+    }
+
+    /// The keys that a description states in the table.
+    pub(crate) fn stated(&self, base: &Table) -> Vec<String> {
+        let keys = self.table(base).into_iter().flat_map(Table::keys);
+        keys.filter(|key| !matches!(key.as_str(), "like" | "without")).cloned().collect()
+    }
+
     /// The description with a key of the table set to something else; none if that is what it says already.
     pub(crate) fn with(&self, base: &Table, key: &str, value: Value) -> Option<Table> {
         let mut changed = base.clone();

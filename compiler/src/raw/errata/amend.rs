@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{Step, quote};
+use crate::raw::compose::forget;
 use crate::source::{Layer, Member, Members, Node, Table, Value};
 
 /// Lays `holds` over what stands at a path, in place of what `says` quotes there; without it, marks what is quoted.
@@ -81,9 +82,9 @@ fn laid(table: &mut Table, says: &Node, holds: Option<&Node>, layer: Layer) {
         }
         return;
     };
-    table.members.take_away(layer, |member| {
-        says.get(&member.key.name).is_some() && held.get(&member.key.name).is_none()
-    });
+    let is_gone = |key: &str| says.get(key).is_some() && held.get(key).is_none();
+    table.members.take_away(layer, |member| is_gone(&member.key.name));
+    says.members.iter().filter(|it| is_gone(&it.key.name)).for_each(|it| forget(table, &it.key.name));
     for new in &held.members {
         let quoted = says.get(&new.key.name).map_or(&new.node, |quoted| &quoted.node);
         match table.position(&new.key.name).and_then(|place| table.members.get_mut(place)) {
