@@ -20,7 +20,6 @@ use crate::raw::{RawAxes, RawDevice, RawHead};
 pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<Device> {
     let context = &mut context(&mut raw, diagnostics);
     closed::judge(context, &raw);
-    named::judge(context, &raw);
     #[rustfmt::skip] // by name and whole, so that no section is read and then forgotten
     let RawDevice {
         id, head, identity, eeprom, documents, axes, modules, slots, areas, objects, parameters, units, rx_pdos, tx_pdos,
@@ -46,7 +45,6 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     let objects = derived::dictionary(context, described, &basis);
     let configurations = configurations::configurations(context, configurations, &objects, &basis);
     let words = words::words(context, words, &objects);
-    let procedures = front::procedures(context, procedures, &objects);
     #[rustfmt::skip] // as above
     let RawHead {
         key: _, name, names, url, urls, vendor, title, about, image, image_bytes, models, profile, group, type_name, physics,
@@ -65,7 +63,8 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         communication_states: sorted(communication_states, |state| state.code), communication_transitions,
         al_status_codes: sorted(al_status_codes, |code| code.code), abort_codes: sorted(abort_codes, |code| code.code),
         sync_managers, mailbox, timeouts, sync_modes: kept::sync_modes(sync_modes), cycle_times, dead_time,
-        repetitions: repeated(context, &objects, &pdos), pdos: by_direction(pdos), configurations, words, objects,
+        procedures: front::procedures(context, procedures, &objects), repetitions: repeated(context, &objects, &pdos),
+        pdos: by_direction(pdos), configurations, words, objects,
         states, commands, transitions: sorted(transitions, |transition| transition.number), device_control,
         modes: modes::modes(context, modes), mode_changes, stop_options, homing_methods: kept::homing_methods(homing_methods),
         errors: kept::errors(errors), vendor_codes: sorted(vendor_codes, |code| code.code),
@@ -73,8 +72,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         units: units::units(context, units), coordinates: context.names.coordinates(),
         areas: sorted(areas, |area| (area.first, area.last)), enumerations: std::mem::take(&mut context.enumerations),
         registers: sorted(registers, |register| register.address), telegrams, connectors, leds, limits, master_settings,
-        parameters: with_addresses(context, parameters), procedures,
-        documents, errata, remarks, assumptions, written: Tables(written),
+        parameters: with_addresses(context, parameters), documents, errata, remarks, assumptions, written: Tables(written),
     };
     kept::references(context, &device);
     Some(device)
@@ -94,6 +92,7 @@ fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context
     let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));
     context.names = Names::gather(raw, coordinates);
     context.shifts = axes::shifts(&mut context, raw.axes.as_ref());
+    named::judge(&mut context, raw);
     context
 }
 
