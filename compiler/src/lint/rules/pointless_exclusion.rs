@@ -3,7 +3,7 @@ use crate::lint::Report;
 use crate::model::Device;
 
 rule! {
-    /// A PDO that excludes itself could never be assigned; one that is excluded twice was perhaps meant to be another.
+    /// A PDO that excludes itself could never be assigned.
     ///
     /// ## Fires
     /// ```toml
@@ -38,20 +38,12 @@ rule! {
     /// excludes = ["0x1600"]
     /// ```
     pub(super) static RULE = "pointless-exclusion", ProcessData, Warning,
-        "a PDO excludes itself, or another one twice";
+        "a PDO excludes itself";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for pdo in &device.pdos {
-        let twice = pdo.excludes.windows(2).find_map(|pair| match pair {
-            // they are sorted
-            [one, other] if one == other => Some(format!("{} excludes {one} twice", pdo.index)),
-            _ => None,
-        });
-        let own = pdo.excludes.contains(&pdo.index).then(|| format!("{} excludes itself", pdo.index));
-        for message in own.into_iter().chain(twice) {
-            let place = pdo.origin.value("excludes");
-            report.push(pdo.index, Diagnostic::new(&RULE, message, place, "the list"));
-        }
+    for pdo in device.pdos.iter().filter(|pdo| pdo.excludes.contains(&pdo.index)) {
+        let message = format!("{} excludes itself", pdo.index);
+        report.push(pdo.index, Diagnostic::new(&RULE, message, pdo.origin.value("excludes"), "the list"));
     }
 }
