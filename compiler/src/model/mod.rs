@@ -61,8 +61,6 @@ mod told;
 mod transport;
 mod type_name;
 mod unit;
-#[cfg(any(feature = "esi", feature = "import"))]
-mod unit_code;
 mod value;
 mod walk;
 mod word;
@@ -121,9 +119,9 @@ use table::table;
 pub use timing::{CycleTime, DeadTime, LimitedUse, SyncMode, SyncSignal, Timeouts};
 pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
-pub use unit::{AxisUnit, Path, Scale, Unit};
 #[cfg(any(feature = "esi", feature = "import"))]
-pub(crate) use unit_code::UnitCode;
+pub(crate) use unit::UnitCode;
+pub use unit::{AxisUnit, Path, Scale, Unit};
 pub use value::Value;
 pub use word::Word;
 

@@ -1,11 +1,16 @@
 //! Units and scaling.
 
+#[cfg(any(feature = "esi", feature = "import"))]
+mod code;
+
 use std::fmt;
 
 use super::compare::value;
 use super::table::part;
 use super::{Address, Source, model, plain};
 use crate::source::Origin;
+#[cfg(any(feature = "esi", feature = "import"))]
+pub(crate) use code::UnitCode;
 
 model! {
     /// What a raw number means.

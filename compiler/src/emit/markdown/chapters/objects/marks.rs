@@ -79,7 +79,7 @@ impl Marks {
     ) -> String {
         let is_gone = |key: &&str| matches!(provenance(&entry.origin, key), Provenance::Corrected(_));
         let text = match text.is_empty() {
-            true if context.editorial && keys.iter().any(|key| is_gone(&key)) => "–".to_owned(),
+            true if context.editorial && keys.iter().any(is_gone) => "–".to_owned(),
             true => return text,
             false => text,
         };

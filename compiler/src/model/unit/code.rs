@@ -6,7 +6,7 @@
 
 #![cfg_attr(not(all(feature = "esi", feature = "import")), allow(dead_code))] // each needs a part
 
-use super::{Dimension, SYMBOLS, Symbol};
+use crate::model::{Dimension, SYMBOLS, Symbol};
 
 /// A unit that has a code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
