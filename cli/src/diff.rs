@@ -9,7 +9,7 @@ use devc::diff::{Class, Comparison, compare, findings, gate, json, markdown, rul
 use devc::import::Choice;
 use devc::lint::Checked;
 use devc::model::Family;
-use devc::source::{Disk, Memory};
+use devc::source::Disk;
 
 use super::git;
 use super::import::imported;
@@ -152,8 +152,7 @@ fn read(path: &Path) -> Result<Compilation, Failure> {
         return Ok(cut(devc::compile(&Disk, path)));
     }
     let imported = imported(path, Some("the ESI file"), &Choice::default())?;
-    let with = |files: Memory, (name, text): (&String, &String)| files.with(path.join(name), text.as_str());
-    Ok(cut(devc::compile(&imported.files.iter().fold(Memory::new(), with), path)))
+    Ok(cut(devc::compile(&imported.in_memory(path), path)))
 }
 
 fn committed(revision: &str, path: &Path) -> Result<Compilation, Failure> {

@@ -65,17 +65,19 @@ impl Import {
             .iter()
             .map(|(name, text)| (out.join(name), format(name, text).unwrap_or_else(|_| text.clone())));
         let laid_out: Vec<(PathBuf, String)> = laid_out.collect();
-        let files = laid_out.iter().map(|(path, text)| (path.clone(), text.as_str()));
-        let losses = losses.iter().map(|(path, text)| ((*path).clone(), text.as_str()));
-        self.write(&files.chain(losses).collect::<Vec<_>>(), report)?;
+        let files = laid_out.iter().map(|(path, text)| (path.clone(), text.as_bytes()));
+        let pictures = imported.pictures.iter().map(|(name, bytes)| (out.join(name), bytes.as_slice()));
+        let losses = losses.iter().map(|(path, text)| ((*path).clone(), text.as_bytes()));
+        self.write(&files.chain(pictures).chain(losses).collect::<Vec<_>>(), report)?;
         report.message(imported.report.text(&file).trim_end());
-        let names: Vec<&str> = imported.files.keys().map(String::as_str).collect();
+        let names = imported.files.keys().chain(imported.pictures.keys());
+        let names: Vec<&str> = names.map(String::as_str).collect();
         report.line(&format!("{}: wrote {}", out.display(), names.join(", ")));
         Ok(Outcome::Clean)
     }
 
     /// Writes all files, or none if one of them is there already.
-    fn write(&self, files: &[(PathBuf, &str)], report: &Report) -> Result<(), Failure> {
+    fn write(&self, files: &[(PathBuf, &[u8])], report: &Report) -> Result<(), Failure> {
         let mut drafts = Vec::new();
         // Each folder is entered once: who is in it keeps others out.
         let mut places: BTreeMap<PathBuf, Workplace> = BTreeMap::new();

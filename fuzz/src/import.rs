@@ -52,7 +52,7 @@ fn is_whole(imported: &Imported) {
 
 /// The ESI of an import.
 fn made(imported: &Imported) -> String {
-    let compilation = compile(&imported.files);
+    let compilation = devc::compile(&imported.in_memory("device"), "device".as_ref());
     let messages: Vec<&String> = compilation.diagnostics.iter().map(|it| &it.message).collect();
     let family = compilation.family.unwrap_or_else(|| panic!("{messages:?} of {:#?}", imported.files));
     let files = emit::emit(&family, &[&emit::esi::Esi], &Options::default());

@@ -63,6 +63,9 @@ use ::devc_runtime::{Device, error};
 /// Contradicted, revision: The only number that the manual gives, and no number of a release. The
 /// vendor's ESI file may have another. Contradicted, serial: The digits in a row are no number of a
 /// device, and all devices would share it.
+///
+/// Assumed, vendor: the manual writes PI; its ESI file is called Physik\_Instrumente\_Hexapod.xml, p.
+/// 6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct C887;
 
@@ -80,6 +83,8 @@ impl ::devc_runtime::Family for C887 {
 /// The axes of the device.
 ///
 /// Objects of the drive profile are 0x800 apart.
+///
+/// Assumed, about: the manual prints ƟX, ƟY and ƟZ beside U, V and W, and nothing beside X, Y and Z.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
 pub enum Axis {
@@ -125,6 +130,8 @@ pub mod objects {
     /// The state of the system: a bit is 1 if the error that it stands for has occurred.
     ///
     /// Cleared by a fault reset (transition 15); through 0x5010:04 if none was sent.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const ERROR_REGISTER: Entry<C887, ErrorRegister, ReadOnly> = Entry::new(0x1001, 0);
 
     /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT" (p. 21).
@@ -484,6 +491,8 @@ pub mod objects {
         /// `0x1C32:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master.
+        ///
+        /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C32, 32);
     }
 
@@ -569,6 +578,8 @@ pub mod objects {
         /// `0x1C33:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master; the same as for the outputs.
+        ///
+        /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C33, 32);
     }
 
@@ -863,6 +874,8 @@ pub mod objects {
     /// motion. Cleared by a fault reset (transition 15); through 0x5010:04 if none was sent.
     ///
     /// It does nothing on Y, Z, U, V, W.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const fn error_code(axis: Axis) -> Entry<C887, ErrorCode, ReadOnly> {
         axis.entry(0x603F, 0x800, 0)
     }
@@ -928,7 +941,8 @@ pub mod objects {
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24. Assumed,
+    /// unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     ///
     /// Contradicted, default of 1, 2: Between 0 and 0 there is no way to move; so the limits are filled in
     /// at start, or not in force. On all six axes.
@@ -961,6 +975,8 @@ pub mod objects {
     ///
     /// Position actual value = position internal value × numerator / denominator, in mm or deg; the
     /// internal value is what process data carries. The master has to be set to the same numbers.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub mod position_factor {
         use super::*;
 
@@ -985,6 +1001,8 @@ pub mod objects {
     /// Not among the objects of the homing mode; what it does here is not said.
     ///
     /// It does nothing on Y, Z, U, V, W.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const fn homing_method(axis: Axis) -> Entry<C887, i8, ReadWrite> {
         axis.entry(0x6098, 0x800, 0)
     }
@@ -993,7 +1011,8 @@ pub mod objects {
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24. Assumed,
+    /// unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
         axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
@@ -1002,6 +1021,8 @@ pub mod objects {
     ///
     /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
     /// 10^index seconds.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub mod interpolation_time_period {
         use super::*;
 
@@ -1045,6 +1066,8 @@ pub mod objects {
     /// Not among the objects of any mode; which inputs there are is not said.
     ///
     /// It does nothing on Y, Z, U, V, W.
+    ///
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24.
     pub const fn digital_inputs(axis: Axis) -> Entry<C887, i32, ReadOnly> {
         axis.entry(0x60FD, 0x800, 0)
     }
@@ -1053,7 +1076,8 @@ pub mod objects {
     ///
     /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Assumed, unit: the manual gives none for this object; it scales velocities as positions, p. 14.
+    /// Assumed, pdo: no mapping carries it, and the mapping objects are read only, p. 21 to 24. Assumed,
+    /// unit: the manual gives none for this object; it scales velocities as positions, p. 14.
     pub const fn target_velocity(
         axis: Axis,
     ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Velocity, AngularVelocity>> {
@@ -1766,9 +1790,12 @@ impl Pdo for RxPdo1600 {
 ///
 /// Not together with `0x1600`.
 ///
-/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed, excludes:
-/// both would set the same objects. Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers
-/// any other.
+/// Contradicted, name, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. Contradicted,
+/// entry of 4, bits of 4: The dictionary has no such object on any axis: the rows go from 0x607D to
+/// 0x6093. The PDO is made for profile position mode, which the device does not have. Contradicted,
+/// entry of 5, bits of 5: The dictionary has no such object on any axis: the rows go from 0x607D to
+/// 0x6093. The PDO is made for profile position mode, which the device does not have. Assumed,
+/// excludes: both would set the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -1940,9 +1967,8 @@ impl Pdo for TxPdo1A00 {
 ///
 /// Not together with `0x1A00`.
 ///
-/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed, excludes:
-/// both would send the same objects. Contradicted, mode: The modes are 0, 6 and 8; GCS error 715
-/// answers any other.
+/// Contradicted, name, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. Assumed,
+/// excludes: both would send the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.
@@ -3570,6 +3596,8 @@ pub mod dictionary {
     };
 
     /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+    ///
+    /// Assumed, sdo-info: no source says so; usual with CoE.
     pub static NAMES: sdo::Names = sdo::Names {
         pages: &[
             NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_50, NAMES_60, NAMES_65, NAMES_67, NAMES_60,

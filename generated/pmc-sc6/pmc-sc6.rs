@@ -81,24 +81,21 @@ pub mod objects {
     ///
     /// The name of the device.
     ///
-    /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
-    /// Tab. 2.
+    /// Assumed: no source lists it; usual with CoE, and as long as the longest text of the drive, Tab. 2.
     pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
     /// `0x1009:00` Manufacturer hardware version. STRING(80), ro.
     ///
     /// The version of the hardware.
     ///
-    /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
-    /// Tab. 2.
+    /// Assumed: no source lists it; usual with CoE, and as long as the longest text of the drive, Tab. 2.
     pub const MANUFACTURER_HARDWARE_VERSION: Entry<Family, str, ReadOnly> = Entry::new(0x1009, 0);
 
     /// `0x100A:00` Manufacturer software version. STRING(80), ro.
     ///
     /// The version of the firmware.
     ///
-    /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
-    /// Tab. 2.
+    /// Assumed: no source lists it; usual with CoE, and as long as the longest text of the drive, Tab. 2.
     pub const MANUFACTURER_SOFTWARE_VERSION: Entry<Family, str, ReadOnly> = Entry::new(0x100A, 0);
 
     /// `0x1C00` Sync manager communication type.
@@ -120,6 +117,8 @@ pub mod objects {
     /// `0x1C32` SM output parameter.
     ///
     /// How the outputs, the data from the master, keep time, and how well they do.
+    ///
+    /// Assumed: no source lists it; usual with distributed clocks.
     pub mod sm_output_parameter {
         use super::*;
 
@@ -197,6 +196,8 @@ pub mod objects {
     /// `0x1C33` SM input parameter.
     ///
     /// How the inputs, the data for the master, keep time, and how well they do.
+    ///
+    /// Assumed: no source lists it; usual with distributed clocks.
     pub mod sm_input_parameter {
         use super::*;
 
@@ -846,6 +847,8 @@ impl core::fmt::Display for Controlword {
 ///
 /// Shows the state of the drive, which E48 shows, too. Bits 10, 12 and 13 take their signals from A925
 /// to A928.
+///
+/// Assumed, bits: the manual gives bits 10, 12 and 13 only, mode by mode; the others are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Statusword(pub u16);
 
@@ -999,13 +1002,8 @@ impl core::fmt::Display for Polarity {
 /// Bits 0 to 7 belong to position measurement 1, whose signal I110 chooses; bits 8 to 15 do the same
 /// for measurement 2 and I126.
 ///
-/// Assumed, bits.0.name: the manual describes the bit without naming it; the profile's. Assumed,
-/// bits.1.name: the manual describes the bit without naming it; the profile's. Assumed, bits.4.name:
-/// the manual describes the bit without naming it; the profile's. Assumed, bits.5.name: the manual
-/// describes the bit without naming it; the profile's. Assumed, bits.8.name: the manual describes the
-/// bit without naming it; the profile's. Assumed, bits.9.name: the manual describes the bit without
-/// naming it; the profile's. Assumed, bits.12.name: the manual describes the bit without naming it; the
-/// profile's. Assumed, bits.13.name: the manual describes the bit without naming it; the profile's.
+/// Assumed, bits.0.name, bits.1.name, bits.4.name, bits.5.name, bits.8.name, bits.9.name, bits.12.name,
+/// bits.13.name: the manual describes the bit without naming it; the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TouchProbeFunction(pub u16);
 
@@ -1087,12 +1085,8 @@ impl core::fmt::Display for TouchProbeFunction {
 ///
 /// All bits of a measurement are cleared when it is switched off.
 ///
-/// Assumed, bits.0.name: the manual describes the bit without naming it; the profile's. Assumed,
-/// bits.1.name: the manual describes the bit without naming it; the profile's. Assumed, bits.2.name:
-/// the manual describes the bit without naming it; the profile's. Assumed, bits.8.name: the manual
-/// describes the bit without naming it; the profile's. Assumed, bits.9.name: the manual describes the
-/// bit without naming it; the profile's. Assumed, bits.10.name: the manual describes the bit without
-/// naming it; the profile's.
+/// Assumed, bits.0.name, bits.1.name, bits.2.name, bits.8.name, bits.9.name, bits.10.name: the manual
+/// describes the bit without naming it; the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TouchProbeStatus(pub u16);
 
@@ -1209,6 +1203,8 @@ impl core::fmt::Display for PositioningOptionCode {
 ::devc_runtime::value!(PositioningOptionCode as u16);
 
 /// `0x60FD` Digital inputs.
+///
+/// Assumed: the manual gives no bit of it; they are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct DigitalInputs(pub u32);
 
@@ -1242,6 +1238,8 @@ impl core::fmt::Display for DigitalInputs {
 ::devc_runtime::value!(DigitalInputs as u32);
 
 /// `0x60FE` Digital outputs.
+///
+/// Assumed: the manual gives no bit of it; they are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct PhysicalOutputs(pub u32);
 
@@ -1267,7 +1265,7 @@ impl core::fmt::Display for PhysicalOutputs {
 
 /// `0x6502` Supported drive modes.
 ///
-/// Assumed, bits.3.about: the manual gives no bit of it; they are the profile's.
+/// Assumed: the manual gives no bit of it; they are the profile's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct SupportedDriveModes(pub u32);
 
@@ -2855,15 +2853,14 @@ pub mod double {
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
-        /// Assumed, default: no source lists it; several drives after CiA 402.
+        /// Assumed: no source lists it; several drives after CiA 402.
         pub const DEVICE_TYPE: Entry<Family, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
         ///
-        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
-        /// those of the identity.
+        /// Assumed: no source lists it; every slave with CoE has it, and the values are those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -3900,6 +3897,8 @@ pub mod double {
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A225 for axis
     /// A, A226 for axis B.
+    ///
+    /// Assumed, index: no source gives it; the first for receiving.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1600 {
         /// `0x6040:00` Control word.
@@ -4011,6 +4010,8 @@ pub mod double {
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A233 for axis
     /// A, A234 for axis B.
+    ///
+    /// Assumed, index: no source gives it; the first for sending.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1A00 {
         /// `0x6041:00` Statusword.
@@ -4134,6 +4135,8 @@ pub mod double {
 
     /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.1, 7.1.1, Tab. 30, Tab.
     /// 31).
+    ///
+    /// Assumed, index: no source gives it; the first for receiving.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
@@ -4149,6 +4152,8 @@ pub mod double {
 
     /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.2, 7.1.2, Tab. 32, Tab.
     /// 33).
+    ///
+    /// Assumed, index: no source gives it; the first for sending.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
@@ -4307,6 +4312,9 @@ pub mod double {
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
     /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
     /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    ///
+    /// Assumed, pdo-assign: no source says so; each axis has one PDO for each direction. Assumed,
+    /// pdo-config: no source says so; DS6 sets the mapping, and a restart makes it take effect.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 double-axis, CiA 402",
         member: 0,
@@ -4376,8 +4384,8 @@ pub mod double {
         /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
         /// customised.
         ///
-        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
-        /// the tables of the mapping; those of objects have it right.
+        /// Corrected, mapping.0x1A00.2.name; the source says: name = vl velocity acutal value. A slip of the
+        /// pen in the tables of the mapping; those of objects have it right.
         pub const VELOCITY: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
@@ -4389,6 +4397,8 @@ pub mod double {
 
             /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.6, 5.3.9,
             /// 6.6.1.3, Tab. 8 to 11).
+            ///
+            /// Assumed, index: no source gives it; the first for receiving.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -4459,6 +4469,8 @@ pub mod double {
 
             /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.6, 5.3.9,
             /// 6.6.1.3, Tab. 8 to 11).
+            ///
+            /// Assumed, index: no source gives it; the first for sending.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -4624,6 +4636,8 @@ pub mod double {
 
             /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601` (5.1.6, 5.3.9,
             /// 6.6.6.3, Tab. 18 to 21).
+            ///
+            /// Assumed, index: no source gives it; the first for receiving.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -4694,6 +4708,8 @@ pub mod double {
 
             /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01` (5.1.6, 5.3.9,
             /// 6.6.6.3, Tab. 18 to 21).
+            ///
+            /// Assumed, index: no source gives it; the first for sending.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -5430,6 +5446,9 @@ pub mod double {
         };
 
         /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+        ///
+        /// Assumed, sdo-info: the template EtherCAT Rx SDO Info has it and EtherCAT Rx does not; each
+        /// application is taken with the template that the manual recommends beside it.
         pub static NAMES: sdo::Names = sdo::Names {
             pages: &[
                 NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65, NAMES_60,
@@ -5550,15 +5569,14 @@ pub mod single {
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
-        /// Assumed, default: no source lists it; a servo drive after CiA 402.
+        /// Assumed: no source lists it; a servo drive after CiA 402.
         pub const DEVICE_TYPE: Entry<Family, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
         ///
-        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
-        /// those of the identity.
+        /// Assumed: no source lists it; every slave with CoE has it, and the values are those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -6249,6 +6267,8 @@ pub mod single {
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A225 for axis
     /// A, A226 for axis B.
+    ///
+    /// Assumed, index: no source gives it; the first for receiving.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1600 {
         /// `0x6040:00` Control word.
@@ -6343,6 +6363,8 @@ pub mod single {
     ///
     /// Standard mapping, for all modes but interpolated position and velocity. Mapped in DS6: A233 for axis
     /// A, A234 for axis B.
+    ///
+    /// Assumed, index: no source gives it; the first for sending.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1A00 {
         /// `0x6041:00` Statusword.
@@ -6450,6 +6472,8 @@ pub mod single {
 
     /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.1, 7.1.1, Tab. 30, Tab.
     /// 31).
+    ///
+    /// Assumed, index: no source gives it; the first for receiving.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
@@ -6465,6 +6489,8 @@ pub mod single {
 
     /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries (5.1.3.2, 7.1.2, Tab. 32, Tab.
     /// 33).
+    ///
+    /// Assumed, index: no source gives it; the first for sending.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
@@ -6593,6 +6619,9 @@ pub mod single {
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
     /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
     /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    ///
+    /// Assumed, pdo-assign: no source says so; each axis has one PDO for each direction. Assumed,
+    /// pdo-config: no source says so; DS6 sets the mapping, and a restart makes it take effect.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 single-axis, CiA 402",
         member: 1,
@@ -6654,8 +6683,8 @@ pub mod single {
         /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
         /// customised.
         ///
-        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
-        /// the tables of the mapping; those of objects have it right.
+        /// Corrected, mapping.0x1A00.2.name; the source says: name = vl velocity acutal value. A slip of the
+        /// pen in the tables of the mapping; those of objects have it right.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
 
         /// Process data of the choice “Interpolated position mode”.
@@ -6663,6 +6692,8 @@ pub mod single {
             use super::*;
 
             /// `0x1600` Receive process data, 7 bytes (5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11).
+            ///
+            /// Assumed, index: no source gives it; the first for receiving.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -6717,6 +6748,8 @@ pub mod single {
             }
 
             /// `0x1A00` Transmit process data, 7 bytes (5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11).
+            ///
+            /// Assumed, index: no source gives it; the first for sending.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -6842,6 +6875,8 @@ pub mod single {
             use super::*;
 
             /// `0x1600` Receive process data, 5 bytes (5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21).
+            ///
+            /// Assumed, index: no source gives it; the first for receiving.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct RxPdo1600 {
                 /// `0x6040:00` Control word.
@@ -6896,6 +6931,8 @@ pub mod single {
             }
 
             /// `0x1A00` Transmit process data, 5 bytes (5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21).
+            ///
+            /// Assumed, index: no source gives it; the first for sending.
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct TxPdo1A00 {
                 /// `0x6041:00` Statusword.
@@ -7477,6 +7514,9 @@ pub mod single {
         };
 
         /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+        ///
+        /// Assumed, sdo-info: the template EtherCAT Rx SDO Info has it and EtherCAT Rx does not; each
+        /// application is taken with the template that the manual recommends beside it.
         pub static NAMES: sdo::Names = sdo::Names {
             pages: &[NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65],
         };
@@ -7595,8 +7635,7 @@ pub mod double_hires {
         ///
         /// Which device it is; the same as in the EEPROM.
         ///
-        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
-        /// those of the identity.
+        /// Assumed: no source lists it; every slave with CoE has it, and the values are those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -7956,6 +7995,9 @@ pub mod double_hires {
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
     /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
     /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    ///
+    /// Assumed, pdo-assign: no source says so; each axis has one PDO for each direction. Assumed,
+    /// pdo-config: no source says so; DS6 sets the mapping, and a restart makes it take effect.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 double-axis, CiA 402 HiRes Motion",
         member: 2,
@@ -8546,8 +8588,7 @@ pub mod single_hires {
         ///
         /// Which device it is; the same as in the EEPROM.
         ///
-        /// Assumed, default of 1 to 3: no source lists it; every slave with CoE has it, and the values are
-        /// those of the identity.
+        /// Assumed: no source lists it; every slave with CoE has it, and the values are those of the identity.
         pub mod identity_object {
             use super::*;
 
@@ -8824,6 +8865,9 @@ pub mod single_hires {
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs. Assumed,
     /// max-size: 24 entries of 4 bytes for each of two axes. Assumed, control: three buffers. Assumed,
     /// pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
+    ///
+    /// Assumed, pdo-assign: no source says so; each axis has one PDO for each direction. Assumed,
+    /// pdo-config: no source says so; DS6 sets the mapping, and a restart makes it take effect.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 single-axis, CiA 402 HiRes Motion",
         member: 3,

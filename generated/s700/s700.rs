@@ -45,15 +45,14 @@ pub mod objects {
     ///
     /// The device profile in the lower half, what kind of device it describes in the upper half.
     ///
-    /// Assumed, default: not in the manual; a servo drive after profile 402.
+    /// Assumed: not in the manual; a servo drive after profile 402.
     pub const DEVICE_TYPE: Entry<Family, u32, ReadOnly> = Entry::new(0x1000, 0);
 
     /// `0x1001:00` Error register. UINT8, ro.
     ///
     /// Which kinds of error the device has.
     ///
-    /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
-    /// data.
+    /// Assumed: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process data.
     pub const ERROR_REGISTER: Entry<Family, u8, ReadOnly> = Entry::new(0x1001, 0);
 
     /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
@@ -72,21 +71,21 @@ pub mod objects {
     ///
     /// The version of the hardware.
     ///
-    /// Assumed, type: not in the manual; tools read it, and its length is not known.
+    /// Assumed: not in the manual; tools read it, and its length is not known.
     pub const MANUFACTURER_HARDWARE_VERSION: Entry<Family, str, ReadOnly> = Entry::new(0x1009, 0);
 
     /// `0x100A:00` Manufacturer software version. STRING(8), ro.
     ///
     /// The version of the firmware.
     ///
-    /// Assumed, type: not in the manual; tools read it, and its length is not known.
+    /// Assumed: not in the manual; tools read it, and its length is not known.
     pub const MANUFACTURER_SOFTWARE_VERSION: Entry<Family, str, ReadOnly> = Entry::new(0x100A, 0);
 
     /// `0x1018` Identity object.
     ///
     /// Which device it is; the same as in the EEPROM.
     ///
-    /// Assumed, default of 1 to 4: not in the manual; a master compares it with the configuration.
+    /// Assumed: not in the manual; a master compares it with the configuration.
     pub mod identity_object {
         use super::*;
 
@@ -731,6 +730,8 @@ pub mod objects {
     /// `0x1C32` SM output parameter.
     ///
     /// How the outputs, the data from the master, keep time, and how well they do.
+    ///
+    /// Assumed: not in the manual; usual with distributed clocks.
     pub mod sm_output_parameter {
         use super::*;
 
@@ -802,14 +803,14 @@ pub mod objects {
         /// `0x1C32:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master.
-        ///
-        /// Assumed, pdo: not in the manual; usual with distributed clocks.
         pub const SYNC_ERROR: Entry<Family, bool, ReadOnly> = Entry::new(0x1C32, 32);
     }
 
     /// `0x1C33` SM input parameter.
     ///
     /// How the inputs, the data for the master, keep time, and how well they do.
+    ///
+    /// Assumed: not in the manual; usual with distributed clocks.
     pub mod sm_input_parameter {
         use super::*;
 
@@ -881,8 +882,6 @@ pub mod objects {
         /// `0x1C33:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master; the same as for the outputs.
-        ///
-        /// Assumed, pdo: not in the manual; usual with distributed clocks.
         pub const SYNC_ERROR: Entry<Family, bool, ReadOnly> = Entry::new(0x1C33, 32);
     }
 
@@ -1373,8 +1372,8 @@ pub mod objects {
     ///
     /// The mode of operation that is active.
     ///
-    /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
-    /// the latter.
+    /// Assumed: not in the manual, which gives the codes for selection and feedback, but no object for the
+    /// latter.
     pub const MODES_OF_OPERATION_DISPLAY: Entry<Family, i8, ReadOnly> = Entry::new(0x6061, 0);
 
     /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
@@ -1498,7 +1497,7 @@ pub mod objects {
     ///
     /// The modes of operation that the drive knows, a bit for each.
     ///
-    /// Assumed, default: not in the manual; the four modes of chapter 3.8.
+    /// Assumed: not in the manual; the four modes of chapter 3.8.
     pub const SUPPORTED_DRIVE_MODES: Entry<Family, u32, ReadOnly> = Entry::new(0x6502, 0);
 }
 
@@ -1506,16 +1505,8 @@ pub mod objects {
 ///
 /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
 ///
-/// Assumed, bits.4: no table or text of the controlword has it, and a bit that is not mentioned is
-/// taken to do nothing. Assumed, bits.5: no table or text of the controlword has it, and a bit that is
-/// not mentioned is taken to do nothing. Assumed, bits.6: no table or text of the controlword has it,
-/// and a bit that is not mentioned is taken to do nothing. Assumed, bits.8: no table or text of the
-/// controlword has it, and a bit that is not mentioned is taken to do nothing. Assumed, bits.9: no
-/// table or text of the controlword has it, and a bit that is not mentioned is taken to do nothing.
-/// Assumed, bits.10: no table or text of the controlword has it, and a bit that is not mentioned is
-/// taken to do nothing. Assumed, bits.13: no table or text of the controlword has it, and a bit that is
-/// not mentioned is taken to do nothing. Assumed, bits.14: no table or text of the controlword has it,
-/// and a bit that is not mentioned is taken to do nothing.
+/// Assumed, bits.4, bits.5, bits.6, bits.8, bits.9, bits.10, bits.13, bits.14: no table or text of the
+/// controlword has it, and a bit that is not mentioned is taken to do nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Controlword(pub u16);
 
@@ -2466,6 +2457,9 @@ impl Pdo for RxPdo1707 {
 /// (3.5, item 8).
 ///
 /// Interface 8. Goes with 0x1B08.
+///
+/// Corrected, name of 7; the source says: name = Latchcontrolwort. A German ending; Latchcontrolword in
+/// the items before, latch control word in those after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1708 {
     /// `0x60C1:00` Position setpoint, in increments.
@@ -2605,6 +2599,9 @@ impl Pdo for RxPdo170A {
 /// `0x1710` Motion tasks with I/O and actual values, 26 bytes (3.5, item 10).
 ///
 /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+///
+/// Contradicted, entry of 6, bits of 6: The total of 26 bytes needs two, and the profile has a type of
+/// two bytes. 2 bytes in this PDO; the object has 4 in the table of objects.
 ///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3417,6 +3414,10 @@ impl Pdo for TxPdo1B08 {
 /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
 /// 16 of DRVCFG3.
 ///
+/// Contradicted, name of 2: Two objects have a velocity of 4 bytes: this one, in counts, and 0x3618,
+/// called Actual velocity value, in SI units. Open: which of them it is; positions and currents of
+/// fixed mappings are in increments.
+///
 /// Of these only: S300, S700.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1B0C {
@@ -3781,7 +3782,7 @@ pub mod configurations {
 /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
 /// stop ramp. (3.4.1, 3.4.3)
 ///
-/// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
+/// *Fault* `x0xx 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
 pub const STATES: StatePatterns = StatePatterns(&[
     (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
     (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -3790,7 +3791,7 @@ pub const STATES: StatePatterns = StatePatterns(&[
     (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
     (State::QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
     (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-    (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
 ]);
 
 /// What the description says of a state; empty if nothing.
@@ -4371,7 +4372,7 @@ pub mod s300 {
         ///
         /// The name of the device.
         ///
-        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
+        /// Assumed: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1C12` Sync manager 2 PDO assignment (3.3.4, 3.5, 3.6, 3.6.1).
@@ -4441,6 +4442,8 @@ pub mod s300 {
     ///
     /// Interface 9.
     ///
+    /// Contradicted, name of 4: The object has the inputs, but the outputs and the hardware enable as well.
+    /// Open: whether the PDO carries all of it, or inputs alone from an object that is not described.
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -4504,6 +4507,14 @@ pub mod s300 {
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes (3.5, item 10).
     ///
     /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
+    ///
+    /// Contradicted, name of 3: Two objects have a velocity of 4 bytes: this one, in counts, and 0x3618,
+    /// called Actual velocity value, in SI units. Open: which of them it is; positions and currents of
+    /// fixed mappings are in increments. Contradicted, entry of 8, bits of 8: The total of 40 bytes needs
+    /// four, and the profile has a type of four bytes. 4 bytes in this PDO; the object has 2 in the table
+    /// of objects and in 0x1B0A. Contradicted, name of 8: The object has the inputs, but the outputs and
+    /// the hardware enable as well. Open: whether the PDO carries all of it, or inputs alone from an object
+    /// that is not described.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -5397,7 +5408,7 @@ pub mod s400 {
         ///
         /// The name of the device.
         ///
-        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
+        /// Assumed: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1C12` Sync manager 2 PDO assignment (3.3.4, 3.5, 3.6, 3.6.1).
@@ -6102,7 +6113,7 @@ pub mod s600 {
         ///
         /// The name of the device.
         ///
-        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
+        /// Assumed: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
     }
 
@@ -6556,7 +6567,7 @@ pub mod s700 {
         ///
         /// The name of the device.
         ///
-        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
+        /// Assumed: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Family, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
@@ -6617,6 +6628,8 @@ pub mod s700 {
     ///
     /// Interface 9.
     ///
+    /// Contradicted, name of 4: The object has the inputs, but the outputs and the hardware enable as well.
+    /// Open: whether the PDO carries all of it, or inputs alone from an object that is not described.
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -6680,6 +6693,14 @@ pub mod s700 {
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes (3.5, item 10).
     ///
     /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
+    ///
+    /// Contradicted, name of 3: Two objects have a velocity of 4 bytes: this one, in counts, and 0x3618,
+    /// called Actual velocity value, in SI units. Open: which of them it is; positions and currents of
+    /// fixed mappings are in increments. Contradicted, entry of 8, bits of 8: The total of 40 bytes needs
+    /// four, and the profile has a type of four bytes. 4 bytes in this PDO; the object has 2 in the table
+    /// of objects and in 0x1B0A. Contradicted, name of 8: The object has the inputs, but the outputs and
+    /// the hardware enable as well. Open: whether the PDO carries all of it, or inputs alone from an object
+    /// that is not described.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.

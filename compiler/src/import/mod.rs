@@ -30,8 +30,17 @@ pub struct Imported {
     pub id: String,
     /// The files of the description by name.
     pub files: BTreeMap<String, String>,
+    /// The pictures that it names, by the names of their files.
+    pub pictures: BTreeMap<String, Vec<u8>>,
     /// What was kept, lost and guessed.
     pub report: Report,
+}
+
+impl Imported {
+    /// All files in a folder, to be compiled from memory.
+    pub fn in_memory(&self, folder: impl AsRef<Path>) -> Memory {
+        in_memory(folder.as_ref(), &self.files, &self.pictures)
+    }
 }
 
 /// Why nothing came of a file.
@@ -54,35 +63,63 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
     let text = read::text(bytes).map_err(|why| Refusal { place: None, why, choices: Vec::new() })?;
     let format = Format::of(&text);
     let mut report = Report::default();
-    let (name_of_it, draft) = match format {
-        Format::Esi => of_esi(&text, choice, &mut report)?,
-        Format::Eds => of_sheet(&text, &mut report)?,
-        Format::Sdos => of_list(&text, &mut report)?,
-    };
     let odd = text.char_indices().find(|(_, c)| *c != '\r' && hazard(*c).is_some());
     if let Some((at, what)) = odd.and_then(|(at, c)| Some((at, hazard(c)?))) {
         report.guess(read::At(at), what, "descriptions have no place for it, and � stands there instead");
     }
+    let mut pictures = BTreeMap::new();
+    for (at, what, why) in read::doubts(bytes, &text) {
+        report.guess(at, what, why);
+    }
+    let (name_of_it, mut draft) = match format {
+        Format::Esi => of_esi(&text, choice, &mut pictures, &mut report)?,
+        Format::Eds => of_sheet(&text, &mut report)?,
+        Format::Sdos => of_list(&text, &mut report)?,
+    };
+    draft.remark(report.guessed_since(0));
     report.finish(&text);
     let id = crate::model::ids::id(&name_of_it);
-    let files = checked(&draft, format, name)?;
-    Ok(Imported { id, files, report })
+    let files = checked(&draft, format, name, &pictures)?;
+    Ok(Imported { id, files, pictures, report })
 }
 
 /// A device of an ESI file, or several that are a family.
-fn of_esi(text: &str, choice: &Choice, report: &mut Report) -> Result<(String, Draft), Refusal> {
+fn of_esi(
+    text: &str,
+    choice: &Choice,
+    pictures: &mut BTreeMap<String, Vec<u8>>,
+    report: &mut Report,
+) -> Result<(String, Draft), Refusal> {
     let root = read::root(text).map_err(|fault| refusal(text, fault))?;
-    let elements = read::devices(&root);
-    let heads: Vec<_> = elements.iter().map(|element| read::head(element)).collect();
-    let chosen: Vec<&Element<'_>> =
+    let devices = |info| read::devices(info).into_iter().map(move |device| (info, device));
+    let elements: Vec<(&Element<'_>, &Element<'_>)> =
+        read::infos(&root).into_iter().flat_map(devices).collect();
+    let heads: Vec<_> = elements.iter().map(|(_, element)| read::head(element)).collect();
+    let chosen: Vec<_> =
         choice.of(&heads)?.into_iter().filter_map(|place| elements.get(place).copied()).collect();
-    let esi = read::file(&root);
-    let members = chosen.iter().map(|element| member(&esi, (&root, element), report));
+    let members = chosen.iter().map(|it| member(*it, report));
     let mut members =
         members.collect::<Result<Vec<(String, String, Draft)>, _>>().map_err(|fault| refusal(text, fault))?;
+    *pictures = self::pictures(members.iter_mut().map(|(_, _, draft)| draft));
     let alone = members.pop_if(|_| chosen.len() == 1).map(|(_, name, draft)| (name, draft));
     let family = || recognise::family(members).map(|draft| (draft.name(), draft));
     alone.or_else(family).ok_or_else(|| choose::several(&heads))
+}
+
+/// The pictures of devices in files, each once.
+fn pictures<'d>(drafts: impl Iterator<Item = &'d mut Draft>) -> BTreeMap<String, Vec<u8>> {
+    let mut pictures: BTreeMap<String, Vec<u8>> = BTreeMap::new();
+    for draft in drafts {
+        let Some(picture) = draft.picture.take() else { continue };
+        let known = pictures.iter().find(|(_, known)| **known == picture).map(|(name, _)| name.clone());
+        let name = known.unwrap_or_else(|| match pictures.len() {
+            0 => "picture.bmp".to_owned(),
+            others => format!("picture-{}.bmp", others + 1),
+        });
+        draft.picture_in(&name);
+        pictures.insert(name, picture);
+    }
+    pictures
 }
 
 /// The device of an EDS.
@@ -115,18 +152,17 @@ fn refusal(text: &str, (at, why): (read::At, String)) -> Refusal {
 
 /// A device of a file as a description, with the word for it and its name.
 fn member(
-    esi: &read::Esi,
-    (root, element): (&Element<'_>, &Element<'_>),
+    (info, element): (&Element<'_>, &Element<'_>),
     report: &mut Report,
 ) -> Result<(String, String, Draft), (read::At, String)> {
-    let (mut device, modules) = read::device(root, element);
+    let (mut device, modules) = read::device(info, element);
     if let Some(at) = device.excess {
         return Err((at, "its dictionary has more values than devc holds".to_owned()));
     }
     let parts = || std::iter::once(&element).chain(&modules);
     report.facts += parts().map(|part| part.facts()).sum::<usize>();
     recognise::take_out(&mut device);
-    let draft = recognise::device(esi, &device, report);
+    let draft = recognise::device(&read::file(info), &device, report);
     parts().for_each(|part| report.unread(part.unread()));
     Ok((device.head.type_name, device.head.name, draft))
 }
@@ -138,9 +174,15 @@ fn place(text: &str, at: read::At) -> (usize, usize) {
 }
 
 /// The files, with the rules named that the vendor's data break. A description that devc refuses is not given out.
-fn checked(draft: &Draft, format: Format, name: &str) -> Result<BTreeMap<String, String>, Refusal> {
+fn checked(
+    draft: &Draft,
+    format: Format,
+    name: &str,
+    pictures: &BTreeMap<String, Vec<u8>>,
+) -> Result<BTreeMap<String, String>, Refusal> {
     let files = write::files(draft, format, name, &[]);
-    let compilation = compiled(&files);
+    let folder = Path::new("device");
+    let compilation = crate::compile(&in_memory(folder, &files, pictures), folder);
     let errors = || compilation.diagnostics.iter().filter(|it| it.level == Level::Error);
     if let Some(fault) = errors().find(|it| it.rule.fixed) {
         let at = fault.at().and_then(|at| compilation.sources.slice(at)).unwrap_or_default();
@@ -157,10 +199,12 @@ fn checked(draft: &Draft, format: Format, name: &str) -> Result<BTreeMap<String,
     Ok(if broken.is_empty() { files } else { write::files(draft, format, name, &broken) })
 }
 
-fn compiled(files: &BTreeMap<String, String>) -> crate::Compilation {
-    let folder = Path::new("device");
-    let memory = files
-        .iter()
-        .fold(Memory::new(), |memory, (name, text)| memory.with(folder.join(name), text.as_str()));
-    crate::compile(&memory, folder)
+fn in_memory(
+    folder: &Path,
+    files: &BTreeMap<String, String>,
+    pictures: &BTreeMap<String, Vec<u8>>,
+) -> Memory {
+    let texts = files.iter().map(|(name, text)| (name, text.as_bytes()));
+    let all = texts.chain(pictures.iter().map(|(name, bytes)| (name, bytes.as_slice())));
+    all.fold(Memory::new(), |memory, (name, bytes)| memory.with(folder.join(name), bytes))
 }

@@ -64,6 +64,18 @@ impl Report {
         self.notes.push(Note { kind, place: (0, 0), what, says: String::new(), why, facts, at });
     }
 
+    /// What was guessed since there were so many notes, each thing once, in words for a comment.
+    pub(super) fn guessed_since(&self, notes: usize) -> Vec<String> {
+        let mut guessed: Vec<String> = Vec::new();
+        for note in self.notes.iter().skip(notes).filter(|note| note.kind == NoteKind::Guessed) {
+            let words = characters::line(&format!("{}: {}", note.what, note.why)).into_owned();
+            if guessed.last() != Some(&words) {
+                guessed.push(words);
+            }
+        }
+        guessed
+    }
+
     /// Reports what nobody read.
     pub(super) fn unread(&mut self, unread: Vec<Unread>) {
         for Unread { path, at, value, facts } in unread {
@@ -158,6 +170,7 @@ fn reason(path: &str) -> &'static str {
     match path.rsplit('/').next() {
         _ if matches!(parent, Some("VendorSpecific" | "TwinCAT")) => "it is for the tools of one vendor",
         Some("VendorSpecific") => "it is for the tools of one vendor",
+        Some("DictionaryFile") => "it is in another file, and no other file is read",
         Some("Slots") => "it is open which modules are in them",
         Some(key) if key.to_ascii_lowercase().ends_with("parametervalue") => {
             "it is what one node was set up with"

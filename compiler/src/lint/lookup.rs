@@ -62,6 +62,15 @@ pub(super) fn above(a: &Value, b: &Value) -> bool {
     }
 }
 
+/// The first and the last value of an entry if it says what each of its values means: two and more without gaps, and they
+/// have no unit. A few special values among many are no list of all.
+pub(super) fn all_values(entry: &Entry) -> Option<(i128, i128)> {
+    let values = &entry.values;
+    let (first, last) = (i128::from(values.first()?.value), i128::from(values.last()?.value));
+    let dense = i128::try_from(values.len()) == Ok(last - first + 1);
+    (dense && values.len() > 1 && entry.unit.is_none()).then_some((first, last))
+}
+
 /// Numbers as a list to read.
 pub(super) fn list<T: ToString>(items: impl IntoIterator<Item = T>) -> String {
     items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")

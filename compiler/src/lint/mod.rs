@@ -6,9 +6,11 @@ mod images;
 mod levels;
 mod lookup;
 mod occupant;
+mod refusal;
 mod report;
 pub(crate) mod rules;
 mod sibling;
+mod slips;
 #[cfg(test)]
 mod tests;
 mod texts;
@@ -76,6 +78,7 @@ fn run<'l>(
         messages.extend(printed.into_iter().map(|finding| finding.diagnostic));
     }
     messages.extend(errata.idle().chain(levels.unknown()));
+    messages.extend(rules::idle_remark::judge(&resolved.printed.members));
     diagnostics.extend(messages.into_iter().filter_map(|message| levels.judge(message)));
 }
 

@@ -54,7 +54,45 @@ pub(super) fn named(device: &Device) -> Vec<Named<'_>> {
     device.modes.iter().for_each(|it| add(Section::Modes.at(it.code), &it.name, &it.origin));
     device.errors.iter().for_each(|it| add(it.place(), &it.name, &it.origin));
     device.words.iter().for_each(|it| add(Section::Words.at(&it.id), &it.name, &it.origin));
+    all.extend(choices(device));
     all.extend(bits(device));
+    all
+}
+
+/// The names of what people choose among, and look for, outside the dictionary.
+pub(super) fn choices(device: &Device) -> Vec<Named<'_>> {
+    let mut all = Vec::new();
+    macro_rules! named {
+        ($($field:ident by $key:ident: $section:ident,)+) => {
+            $(
+                all.extend(device.$field.iter().map(|it| Named {
+                    at: Section::$section.at(&it.$key),
+                    name: &it.name,
+                    origin: &it.origin,
+                    path: "name".to_owned(),
+                }));
+            )+
+        };
+    }
+    named! {
+        configurations by id: Configurations,
+        sync_modes by id: SyncModes,
+        cycle_times by id: CycleTimes,
+        slots by id: Slots,
+        modules by ident: Modules,
+        telegrams by id: Telegrams,
+        leds by id: Leds,
+        connectors by id: Connectors,
+        limits by id: Limits,
+        procedures by id: Procedures,
+    }
+    let settings = device.master_settings.iter().enumerate();
+    all.extend(settings.map(|(i, it)| Named {
+        at: Section::MasterSettings.at(i),
+        name: &it.name,
+        origin: &it.origin,
+        path: "name".to_owned(),
+    }));
     all
 }
 

@@ -4,10 +4,10 @@
 //! their items apart; where a thing was written is not compared.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
 
 use super::Source;
 use super::difference::{Difference, FieldPath};
+pub use super::walk::Walker;
 use crate::source::{Location, Origin};
 
 /// A part of the model.
@@ -42,6 +42,9 @@ pub trait Compare: PartialEq + Sized {
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
         values(self, other, path, found);
     }
+
+    /// Shows the texts and the lists of values in it, at a path.
+    fn walk(&self, _: &mut FieldPath, _: &mut dyn Walker) {}
 }
 
 /// What is told beside parts of two devices.
@@ -83,7 +86,19 @@ macro_rules! value {
 }
 pub(crate) use value;
 
-value! { bool u8 i8 u16 i16 u32 i32 u64 i64 f64 String }
+value! { bool u8 i8 u16 i16 u32 i32 u64 i64 f64 }
+
+impl Compare for String {
+    const IS_VALUE: bool = true;
+
+    fn shown(&self) -> String {
+        self.clone()
+    }
+
+    fn walk(&self, path: &mut FieldPath, walker: &mut dyn Walker) {
+        walker.text(path, self);
+    }
+}
 
 impl<T: Compare> Compare for Option<T> {
     const IS_VALUE: bool = T::IS_VALUE;
@@ -104,6 +119,10 @@ impl<T: Compare> Compare for Option<T> {
                 found(path.differ(first.as_ref().map(T::shown), second.as_ref().map(T::shown)));
             }
         }
+    }
+
+    fn walk(&self, path: &mut FieldPath, walker: &mut dyn Walker) {
+        self.iter().for_each(|one| one.walk(path, walker));
     }
 }
 
@@ -142,6 +161,16 @@ impl<T: Compare> Compare for Vec<T> {
                 let new = path.differ(None, Some(second.shown()));
                 found(new.written(path.0.len(), None, second.origin()));
             });
+        }
+    }
+
+    fn walk(&self, path: &mut FieldPath, walker: &mut dyn Walker) {
+        if T::IS_VALUE {
+            walker.list(path, &mut self.iter().map(T::shown));
+        }
+        for (place, item) in self.iter().enumerate() {
+            let key = item.key().unwrap_or_else(|| place.to_string());
+            path.within(key, |path| item.walk(path, walker));
         }
     }
 }
@@ -214,6 +243,10 @@ impl Compare for Source {
     fn is_told_alike(&self, other: &Self, beside: &dyn Beside) -> bool {
         beside.is_same_source(self, other)
     }
+
+    fn walk(&self, path: &mut FieldPath, walker: &mut dyn Walker) {
+        walker.text(path, &self.place);
+    }
 }
 
 impl Compare for Location {
@@ -222,76 +255,4 @@ impl Compare for Location {
     }
 
     fn compare(&self, _: &Self, _: &mut FieldPath, _: &mut dyn FnMut(Difference)) {}
-}
-
-/// Makes the comparison of a part of the model from its declaration.
-macro_rules! compared {
-    (struct $name:ident [$($key:ident)?] { $($(#[$meta:meta])* pub $field:ident: $type:ty,)* }) => {
-        impl $crate::model::Compare for $name {
-            $(
-                fn key(&self) -> Option<String> {
-                    Some($crate::model::Compare::shown(&self.$key))
-                }
-            )?
-
-            fn shown(&self) -> String {
-                $(
-                    if stringify!($field) == "name" {
-                        return $crate::model::Compare::shown(&self.$field);
-                    }
-                )*
-                stringify!($name).to_owned()
-            }
-
-            fn origin(&self) -> Option<&$crate::source::Origin> {
-                None$(.or_else(|| $crate::model::Compare::as_origin(&self.$field)))*
-            }
-
-            fn is_told_alike(&self, other: &Self, beside: &dyn $crate::model::Beside) -> bool {
-                true $(&& $crate::model::Compare::is_told_alike(&self.$field, &other.$field, beside))*
-            }
-
-            fn compare(
-                &self,
-                other: &Self,
-                path: &mut $crate::model::FieldPath,
-                found: &mut dyn FnMut($crate::model::Difference),
-            ) {
-                let (depth, first, second) = (
-                    path.0.len(),
-                    $crate::model::Compare::origin(self),
-                    $crate::model::Compare::origin(other),
-                );
-                let found: &mut dyn FnMut($crate::model::Difference) =
-                    &mut |difference| found(difference.written(depth, first, second));
-                $(
-                    path.within(stringify!($field).trim_start_matches("r#"), |path| {
-                        $crate::model::Compare::compare(&self.$field, &other.$field, path, found);
-                    });
-                )*
-            }
-        }
-    };
-    ($kind:ident $name:ident [] $body:tt) => {
-        impl $crate::model::Compare for $name {
-            const IS_VALUE: bool = true;
-
-            fn shown(&self) -> String {
-                $crate::model::compare::word(self)
-            }
-        }
-    };
-}
-pub(crate) use compared;
-
-/// A choice as a word.
-pub(crate) fn word(choice: &dyn fmt::Debug) -> String {
-    let mut word = String::new();
-    for letter in format!("{choice:?}").chars() {
-        if letter.is_uppercase() && !word.is_empty() {
-            word.push('-');
-        }
-        word.extend(letter.to_lowercase());
-    }
-    word
 }

@@ -43,17 +43,20 @@ impl Difference {
     /// what is known already was found further inside, and is nearer.
     pub(crate) fn written(mut self, depth: usize, first: Option<&Origin>, second: Option<&Origin>) -> Self {
         let steps = self.path.0.get(depth..).unwrap_or_default();
-        self.first_at = self.first_at.or_else(|| first.map(|origin| located(origin, steps)));
-        self.second_at = self.second_at.or_else(|| second.map(|origin| located(origin, steps)));
+        self.first_at = self.first_at.or_else(|| first.map(|origin| origin.located(steps, None)));
+        self.second_at = self.second_at.or_else(|| second.map(|origin| origin.located(steps, None)));
         self
     }
 }
 
-/// Where the value of a field was written, as near as the description says it.
-fn located(origin: &Origin, steps: &[String]) -> Location {
-    let keys: Vec<String> = steps.iter().map(|step| key(step)).collect();
-    let known = (1..=keys.len()).rev().filter_map(|length| keys.get(..length)).map(|keys| keys.join("."));
-    known.filter(|path| origin.has(path)).map(|path| origin.value(&path)).next().unwrap_or(origin.header())
+impl Origin {
+    /// Where the value of a field was written, or an item of it, as near as the description says it.
+    pub(crate) fn located(&self, steps: &[String], item: Option<usize>) -> Location {
+        let keys = steps.iter().map(|step| key(step)).chain(item.map(|item| item.to_string()));
+        let keys: Vec<String> = keys.collect();
+        let known = (1..=keys.len()).rev().filter_map(|length| keys.get(..length)).map(|keys| keys.join("."));
+        known.filter(|path| self.has(path)).map(|path| self.value(&path)).next().unwrap_or(self.header())
+    }
 }
 
 /// The key of a field in a description.

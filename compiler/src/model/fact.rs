@@ -70,6 +70,12 @@ model! {
     pub struct Assumption by at {
         /// What it is about.
         pub at: Place,
+        /// The key that is assumed, as it was written; none if the whole table is.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub key: Option<String>,
+        /// The keys that its table can have, if the one that is assumed is not there.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub keys: Vec<String>,
         /// What is taken to be so, if it is a single value.
         pub value: Option<String>,
         /// Why.
@@ -77,6 +83,18 @@ model! {
         /// Where it was written.
         #[cfg_attr(feature = "json", serde(skip))]
         pub origin: Origin,
+    }
+}
+
+impl Assumption {
+    /// Where the reason was written.
+    pub fn reason_at(&self) -> Location {
+        let assumed = self.origin.node("assumed");
+        let reason = assumed.and_then(|assumed| match &self.key {
+            Some(key) => assumed.table()?.get(key).map(|member| member.node.at),
+            None => Some(assumed.at),
+        });
+        reason.unwrap_or(self.origin.header())
     }
 }
 

@@ -99,6 +99,14 @@ macro_rules! list {
                 ) {
                     self.0.compare(&other.0, path, found);
                 }
+
+                fn walk(
+                    &self,
+                    path: &mut $crate::model::FieldPath,
+                    walker: &mut dyn $crate::model::Walker,
+                ) {
+                    self.0.walk(path, walker);
+                }
             }
 
             impl<'a> IntoIterator for &'a $name {

@@ -5,6 +5,7 @@ use serde::Deserialize;
 use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 
 use super::compare::value;
+use super::{Compare, FieldPath, Walker};
 
 /// A value of an object, in the type that TOML gave it.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,7 +181,19 @@ impl<'de> Deserialize<'de> for Hex {
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct OneOrMore(pub Vec<String>);
 
-value! { Delay Duration Hex OneOrMore }
+value! { Delay Duration Hex }
+
+impl Compare for OneOrMore {
+    const IS_VALUE: bool = true;
+
+    fn shown(&self) -> String {
+        self.to_string()
+    }
+
+    fn walk(&self, path: &mut FieldPath, walker: &mut dyn Walker) {
+        self.0.walk(path, walker);
+    }
+}
 
 impl std::ops::Deref for OneOrMore {
     type Target = [String];

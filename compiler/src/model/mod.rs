@@ -8,6 +8,7 @@ mod bounds;
 mod carried;
 mod citation;
 mod compare;
+mod compared;
 mod configuration;
 mod control;
 mod data_type;
@@ -60,8 +61,10 @@ mod told;
 mod transport;
 mod type_name;
 mod unit;
+#[cfg(any(feature = "esi", feature = "import"))]
 mod unit_code;
 mod value;
+mod walk;
 mod word;
 
 use crate::source::Origin;
@@ -69,7 +72,7 @@ pub use axis::{Area, Arrangement, Axis, Shift};
 pub use bounds::Bounds;
 pub use carried::Carried;
 pub use citation::Source;
-pub use compare::{Beside, Compare, differences};
+pub use compare::{Beside, Compare, Walker, differences};
 pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::{DataType, Item};
@@ -100,7 +103,7 @@ pub use pdo::{Direction, Mapped, Oversampling, Pdo};
 pub use picture::Picture;
 pub use place::Place;
 pub(crate) use ports::are_ports;
-pub use provenance::{Provenance, facts, provenance};
+pub use provenance::{Provenance, assumption, facts, provenance};
 pub use register::{AbortCode, AlStatusCode, Register, RegisterAccess, Telegram};
 pub(crate) use repetition::repetitions;
 pub use repetition::{Repeated, Repetition};
@@ -119,6 +122,7 @@ pub use timing::{CycleTime, DeadTime, LimitedUse, SyncMode, SyncSignal, Timeouts
 pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
+#[cfg(any(feature = "esi", feature = "import"))]
 pub(crate) use unit_code::UnitCode;
 pub use value::Value;
 pub use word::Word;

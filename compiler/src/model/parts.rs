@@ -4,7 +4,7 @@
 macro_rules! model {
     ($($(#[$meta:meta])* pub $kind:ident $name:ident $(by $key:ident)? { $($body:tt)* })*) => {
         $crate::model::plain! { $($(#[$meta])* pub $kind $name { $($body)* })* }
-        $($crate::model::compare::compared! { $kind $name [$($key)?] { $($body)* } })*
+        $($crate::model::compared::compared! { $kind $name [$($key)?] { $($body)* } })*
     };
 }
 pub(crate) use model;

@@ -6,7 +6,7 @@ use devc_start_up::Mapping;
 
 use super::table::part;
 use super::{Address, DataType, Index, Source, Translations, model};
-use crate::source::{Location, Origin};
+use crate::source::Origin;
 
 model! {
     /// A process data object.
@@ -76,7 +76,7 @@ model! {
         pub about: Option<String>,
         /// Where it was written.
         #[cfg_attr(feature = "json", serde(skip))]
-        pub at: Location,
+        pub origin: Origin,
     }
 
     /// Who sends a PDO.

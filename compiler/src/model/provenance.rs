@@ -1,6 +1,6 @@
 //! Who says a fact, and how sure it is.
 
-use crate::source::{Layer, Member, Node, Origin, Value};
+use crate::source::{Layer, Member, Members, Node, Origin, Value};
 
 /// Who says a fact.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,28 +24,52 @@ pub enum Provenance {
 
 /// Who says the fact at `path` in a table.
 pub fn provenance(origin: &Origin, path: &str) -> Provenance {
-    origin.layer(path).map_or(Provenance::Derived, |layer| author(layer, path, origin.node("assumed")))
+    match origin.layer(path) {
+        Some(layer) => author(layer, path, origin.node("assumed")),
+        // what a table is called by, such as the index of a PDO, is no key in it
+        None => {
+            let named = named_reasons(origin).find(|(key, _)| *key == path);
+            named.map_or(Provenance::Derived, |(_, reason)| Provenance::Assumed(reason.to_owned()))
+        }
+    }
 }
 
-/// Who says the fact at `path` that is in a layer, where the table gives these reasons for what is assumed.
+/// Why the fact at `path` is assumed, if it is, whatever an erratum says of it.
+pub fn assumption<'o>(origin: &'o Origin, path: &str) -> Option<&'o str> {
+    reason(origin.node("assumed")?, path)
+}
+
+/// Who says the fact at `path` that is in a layer, where the table gives these reasons for what is assumed. That what the
+/// profile says holds for the device can be assumed, too.
 fn author(layer: Layer, path: &str, reasons: Option<&Node>) -> Provenance {
+    let reason = || reasons.and_then(|reasons| reason(reasons, path));
     match layer {
-        Layer::Profile => Provenance::Profile,
         Layer::Corrected(erratum) => Provenance::Corrected(erratum),
         Layer::Contradicted(erratum) => Provenance::Contradicted(erratum),
-        Layer::Description => {
-            let reason = reasons.and_then(|reasons| reason(reasons, path));
-            reason.map_or(Provenance::Stated, |reason| Provenance::Assumed(reason.to_owned()))
-        }
+        Layer::Profile | Layer::Description => match reason() {
+            Some(reason) => Provenance::Assumed(reason.to_owned()),
+            None if layer == Layer::Profile => Provenance::Profile,
+            None => Provenance::Stated,
+        },
+    }
+}
+
+/// The keys for which a table has reasons of their own.
+fn named_reasons(origin: &Origin) -> impl Iterator<Item = (&str, &str)> {
+    let reasons = origin.node("assumed").and_then(Node::table);
+    let keys = reasons.into_iter().flat_map(|reasons| &*reasons.members);
+    keys.filter_map(|member| Some((&*member.key.name, text(&member.node.value)?)))
+}
+
+fn text(value: &Value) -> Option<&str> {
+    match value {
+        Value::String(text) => Some(text),
+        _ => None,
     }
 }
 
 /// Why the fact at `path` is assumed, if it is: the reason for the key, for a table around it, or for all of the table.
 fn reason<'o>(reasons: &'o Node, path: &str) -> Option<&'o str> {
-    let text = |value: &'o Value| match value {
-        Value::String(text) => Some(&**text),
-        _ => None,
-    };
     match &reasons.value {
         Value::Table(reasons) => {
             let covers = |member: &&Member| {
@@ -63,11 +87,27 @@ fn reason<'o>(reasons: &'o Node, path: &str) -> Option<&'o str> {
 pub fn facts(origin: &Origin) -> Vec<(String, Provenance)> {
     let (mut facts, reasons) = (Vec::new(), origin.node("assumed"));
     for member in &origin.table().members {
-        if !matches!(&*member.key.name, "source" | "assumed" | "entries" | "per-axis") {
-            gather(reasons, &member.key.name, member, &mut facts);
+        match (&*member.key.name, &member.node.value) {
+            // these have facts of their own
+            ("source" | "assumed" | "per-axis", _) | ("entries", Value::Table(_)) => {}
+            (path, _) => gather(reasons, path, member, &mut facts),
+        }
+    }
+    facts.extend(gone("", &origin.table().members));
+    for (key, reason) in named_reasons(origin) {
+        let is_told =
+            |path: &str| path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        if !facts.iter().any(|(path, _)| is_told(path)) {
+            facts.push((key.to_owned(), Provenance::Assumed(reason.to_owned())));
         }
     }
     facts
+}
+
+/// What errata have taken out of a table: it is not so, and nothing else is.
+fn gone(prefix: &str, members: &Members) -> impl Iterator<Item = (String, Provenance)> {
+    let gone = members.gone().iter();
+    gone.map(move |(key, layer)| (format!("{prefix}{key}"), author(*layer, key, None)))
 }
 
 fn gather(reasons: Option<&Node>, path: &str, member: &Member, facts: &mut Vec<(String, Provenance)>) {
@@ -77,6 +117,7 @@ fn gather(reasons: Option<&Node>, path: &str, member: &Member, facts: &mut Vec<(
             for inner in &table.members {
                 gather(reasons, &format!("{path}.{}", inner.key.name), inner, facts);
             }
+            facts.extend(gone(&format!("{path}."), &table.members));
             let inner = facts.get(first..).unwrap_or_default();
             if let Some((_, common)) = inner.first()
                 && inner.iter().all(|(_, other)| other == common)
@@ -86,7 +127,21 @@ fn gather(reasons: Option<&Node>, path: &str, member: &Member, facts: &mut Vec<(
                 facts.push((path.to_owned(), common));
             }
         }
-        _ => facts.push((path.to_owned(), author(member.layer, path, reasons))),
+        value => {
+            facts.push((path.to_owned(), author(member.layer, path, reasons)));
+            items(path, value, facts);
+        }
+    }
+}
+
+/// What errata say of the tables in a list, by their places in it.
+fn items(path: &str, list: &Value, facts: &mut Vec<(String, Provenance)>) {
+    let Value::Array(items) = list else { return };
+    for (table, place) in items.iter().zip(0..).filter_map(|(item, place)| Some((item.table()?, place))) {
+        let answered = table.members.iter().filter(|member| Layer::Description < member.layer);
+        let who = |member: &Member| author(member.layer, "", None);
+        facts.extend(answered.map(|member| (format!("{path}.{place}.{}", member.key.name), who(member))));
+        facts.extend(gone(&format!("{path}.{place}."), &table.members));
     }
 }
 

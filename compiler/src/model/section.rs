@@ -97,6 +97,14 @@ macro_rules! sections {
                 }
             }
 
+            /// The section whose tables are this field of a device.
+            pub(crate) fn of_field(field: &str) -> Option<Self> {
+                match field {
+                    $(stringify!($field) => Some(Self::$name),)*
+                    _ => None,
+                }
+            }
+
             /// How its tables are told apart.
             pub fn shape(self) -> Shape {
                 match self {

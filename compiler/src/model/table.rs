@@ -10,6 +10,9 @@ pub trait Table {
     /// What its key has to be, for people.
     const KEY: &'static str;
 
+    /// What its key is called; nothing if there is one such table, or a list.
+    const CALLED: &'static str;
+
     /// Says under which key and where the table stands, and where its facts are from; false if the key cannot be read.
     fn stand(&mut self, key: &str, source: Option<Source>, origin: Origin) -> bool;
 }
@@ -62,7 +65,7 @@ macro_rules! table {
                 pub origin: $crate::source::Origin,
             }
 
-            $crate::model::compare::compared! { struct $name [$($key)?] {
+            $crate::model::compared::compared! { struct $name [$($key)?] {
                 $($fields)*
                 pub source: Option<$crate::model::Source>,
                 pub origin: $crate::source::Origin,
@@ -70,6 +73,7 @@ macro_rules! table {
 
             impl $crate::model::Table for $name {
                 const KEY: &'static str = concat!("" $(, $expected)?);
+                const CALLED: &'static str = concat!("" $(, stringify!($key))?);
 
                 fn stand(
                     &mut self,
@@ -109,7 +113,7 @@ pub(crate) use stand;
 macro_rules! part {
     ($($(#[$meta:meta])* pub $kind:ident $name:ident $body:tt)*) => {
         $(
-            $crate::model::compare::compared! { $kind $name [] $body }
+            $crate::model::compared::compared! { $kind $name [] $body }
 
             $(#[$meta])*
             #[derive(Debug, Clone, PartialEq, serde::Deserialize)]

@@ -57,6 +57,9 @@ impl<'a> Beside for Pair<'a> {
         if self.has_same_errata && first == second {
             return true;
         }
+        // that what PDOs carry is assumed is told where each member is listed, and parts no types of Rust
+        let facts =
+            |origin| facts(origin).into_iter().filter(|(path, _)| path != "entries").collect::<Vec<_>>();
         let (of_first, of_second) = (facts(first), facts(second));
         of_first.len() == of_second.len()
             && of_first.iter().zip(&of_second).all(|((path, who), (other, by))| {

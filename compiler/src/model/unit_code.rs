@@ -4,6 +4,8 @@
 //! none: increments, or steps of a third of a millimetre. The numbers of CiA 303-2 are those that makers and open tools use:
 //! maxon's EPOS4 and Nanotec's drives have 0x00B44700 for revolutions a minute.
 
+#![cfg_attr(not(all(feature = "esi", feature = "import")), allow(dead_code))] // each needs a part
+
 use super::{Dimension, SYMBOLS, Symbol};
 
 /// A unit that has a code.

@@ -71,11 +71,22 @@ fn take_out(table: &mut Table, path: &[&str]) -> bool {
     let Some(place) = table.position(key) else { return false };
     if path.is_empty() {
         table.members.remove(place);
+        forget(table, key);
         return true;
     }
     match table.members.get_mut(place).map(|member| &mut member.node.value) {
         Some(Value::Table(inner)) => take_out(Arc::make_mut(inner), path),
         _ => false,
+    }
+}
+
+/// Takes the reason for a key out, when the key is taken out.
+pub(super) fn forget(table: &mut Table, key: &str) {
+    let reasons = table.position("assumed").and_then(|place| table.members.get_mut(place));
+    if let Some(Value::Table(reasons)) = reasons.map(|assumed| &mut assumed.node.value)
+        && let Some(place) = reasons.position(key)
+    {
+        Arc::make_mut(reasons).members.remove(place);
     }
 }
 

@@ -8,6 +8,7 @@
 mod access;
 mod context;
 mod error;
+mod keys;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -19,6 +20,7 @@ use crate::source::Table;
 use context::Context;
 pub(crate) use context::unknown_key;
 use error::Error;
+pub(crate) use keys::keys;
 use view::View;
 
 /// Reads one table as one struct, or as several, each of which takes the keys that it knows.

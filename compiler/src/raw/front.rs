@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::raw;
-use crate::model::Value;
+use crate::model::Literal;
 
 raw! {
     /// `[procedures.<id>]`: things to do in order.
@@ -27,5 +27,5 @@ pub struct RawStep {
     /// The object that it is done with.
     pub object: Option<String>,
     /// The value to write.
-    pub write: Option<Value>,
+    pub write: Option<Literal>,
 }

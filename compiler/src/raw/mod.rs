@@ -15,6 +15,7 @@ mod extent;
 mod fact;
 mod front;
 mod head;
+mod laid;
 mod like;
 mod lints;
 mod member;
@@ -40,23 +41,25 @@ pub use device::RawDevice;
 pub use fact::{RawAssumed, RawFacts, RawSource};
 pub use front::{RawProcedure, RawStep};
 pub use head::RawHead;
+pub(crate) use laid::SHARED;
 pub use lints::LintSetting;
 pub use member::{Reading, read};
 pub use mode::RawMode;
 pub use object::{Ignored, RawEntries, RawEntry, RawObject, RawObjectHead, RawTrigger};
 pub use pdo::{RawMapped, RawPdo, RawSyncManager};
+#[cfg(feature = "import")]
+pub(crate) use picture::MOST as MOST_OF_PICTURE;
 pub use picture::pictures;
-pub(crate) use read_object::SHARED;
 pub use unit::{RawAxisUnit, RawUnit};
 pub use values::RawValues;
 pub use word::RawWord;
 
 /// Declares a table of which something is resolved later. `by code: "..."` names the field that holds what is read of the
-/// key, and says what the key has to be.
+/// key, and says what the key has to be; `called index`, what a key is called that is read later.
 macro_rules! raw {
     ($(
         $(#[$meta:meta])*
-        pub struct $name:ident $(by $key:ident: $expected:literal)? { $($fields:tt)* }
+        pub struct $name:ident $(by $key:ident: $expected:literal)? $(called $called:ident)? { $($fields:tt)* }
     )*) => {
         $(
             $(#[$meta])*
@@ -78,6 +81,7 @@ macro_rules! raw {
 
             impl $crate::model::Table for $name {
                 const KEY: &'static str = concat!("" $(, $expected)?);
+                const CALLED: &'static str = concat!("" $(, stringify!($key))? $(, stringify!($called))?);
 
                 fn stand(
                     &mut self,

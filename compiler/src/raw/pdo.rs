@@ -9,7 +9,7 @@ use crate::model::{Oversampling, Translations};
 
 raw! {
     /// `[rx-pdos.<index>]`, `[tx-pdos.<index>]`: a process data object.
-    pub struct RawPdo {
+    pub struct RawPdo called index {
         /// Its name.
         pub name: String,
         /// Its name in other languages, by language: `{ de = "..." }`.

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::source::{Loader, Location, or_here, outside};
 
 /// The most bytes that a picture can have: four for each point, and a head, are less than half of it.
-const MOST: usize = 2_048;
+pub(crate) const MOST: usize = 2_048;
 
 /// Reads the pictures of all members, and notes their files.
 pub fn pictures(

@@ -4,14 +4,15 @@ use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 
-use super::assumed::assumptions;
+use super::assumed::Assumed;
 use super::compose::wrong_type;
-use super::decode::{Reader, unknown_key};
+use super::decode::{Reader, keys, unknown_key};
 use super::extent::judge_section;
 use super::{RawFacts, RawSource};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::model::{Assumption, Index, Place, Section, Source, Table, Written};
-use crate::source::{Location, Member, Members, Node, Origin, Sources, Value, keys};
+use crate::source::keys::number;
+use crate::source::{Location, Member, Members, Node, Origin, Sources, Value};
 
 /// A table on its way to a struct.
 pub(super) struct Entity<'t> {
@@ -23,11 +24,23 @@ pub(super) struct Entity<'t> {
 
 /// What a table of a section is read into.
 pub(super) trait Read: Sized {
+    /// What the key of such a table is called; nothing if it says nothing of a device.
+    const CALLED: &'static str = "";
+
+    /// The keys that such a table can have.
+    fn keys() -> Vec<&'static str>;
+
     /// Reads a table; none, and a report, if that cannot be done.
     fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self>;
 }
 
 impl<T: Table + Default + DeserializeOwned> Read for T {
+    const CALLED: &'static str = T::CALLED;
+
+    fn keys() -> Vec<&'static str> {
+        [keys::<T>(), keys::<RawFacts>()].concat()
+    }
+
     fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self> {
         let Entity { key, header, table, .. } = entity;
         // What a table under another key lacks is no help to who mistook the key.
@@ -116,7 +129,8 @@ impl<'t> Sections<'t> {
             place: place.clone(),
             at: header,
         });
-        self.assumptions.extend(assumptions(&place, header, &table, self.sources));
+        let assumed = Assumed { sources: self.sources, key: (key, T::CALLED), keys: &T::keys };
+        self.assumptions.extend(assumed.find(&place, header, &table, &table));
         T::read(Entity { section, key, header, table }, self)
     }
 
@@ -130,8 +144,7 @@ impl<'t> Sections<'t> {
 
     /// The index that the key of an object stands for: hexadecimal, or a coordinate of the vendor.
     pub(super) fn index(&self, key: &str) -> Option<Index> {
-        let index =
-            key.strip_prefix("0x").and_then(|_| keys::number(key)).and_then(|n| u16::try_from(n).ok());
+        let index = key.strip_prefix("0x").and_then(|_| number(key)).and_then(|n| u16::try_from(n).ok());
         let coordinate = || self.coordinates.as_ref()?.address(key).map(|address| address.index);
         index.map(Index).or_else(coordinate)
     }

@@ -2,34 +2,21 @@
 
 use std::sync::Arc;
 
-use super::decode::Reader;
+use super::decode::{Reader, keys};
+use super::laid::{on_axes, with_shared};
 use super::read::{Entity, Read, Sections};
 use super::{RawEntries, RawEntry, RawFacts, RawObject, RawObjectHead};
 use crate::model::Kind;
-use crate::source::{Layer, Location, Member, Members, Node, Origin, Table, Value, keys};
-
-/// The keys that an object's table can have for all of its entries.
-pub(crate) const SHARED: &[&str] = &[
-    "type",
-    "access",
-    "pdo",
-    "safety",
-    "category",
-    "unit",
-    "default",
-    "min",
-    "max",
-    "values",
-    "written",
-    "backup",
-    "setting",
-    "effective",
-    "stored",
-    "functional",
-    "trigger",
-];
+use crate::source::keys::range;
+use crate::source::{Layer, Location, Member, Members, Origin, Table};
 
 impl Read for RawObject {
+    const CALLED: &'static str = "index";
+
+    fn keys() -> Vec<&'static str> {
+        [keys::<RawObjectHead>(), keys::<RawEntry>(), keys::<RawFacts>()].concat()
+    }
+
     fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self> {
         let Entity { section, key, header, table } = entity;
         let Some(index) = sections.index(key) else {
@@ -49,7 +36,8 @@ impl Read for RawObject {
         let entries = entries.collect();
         let shared = shared(&table, header, sections)?;
         let per_axis = inner(&table, "per-axis").iter().filter_map(|axes| {
-            let table = on_axes(&table, axes, sections)?;
+            let differing = sections.table(&axes.node)?;
+            let table = Arc::new(on_axes(&differing, &table));
             Some((axes.key.name.to_string(), Self::read(Entity { section, key, header, table }, sections)?))
         });
         let per_axis = per_axis.collect();
@@ -58,17 +46,9 @@ impl Read for RawObject {
     }
 }
 
-/// The object's table with what differs on some axes laid over.
-fn on_axes(table: &Table, axes: &Member, sections: &mut Sections<'_>) -> Option<Arc<Table>> {
-    let differing = sections.table(&axes.node)?;
-    let mut shared = table.clone();
-    shared.members.retain(|member| &*member.key.name != "per-axis");
-    Some(Arc::new(differing.over(&shared)))
-}
-
 fn entries(member: &Member, object: &Table, sections: &mut Sections<'_>) -> Option<RawEntries> {
     let own = sections.table(&member.node)?;
-    let Some(range) = keys::range::<u8>(&member.key.name) else {
+    let Some(range) = range::<u8>(&member.key.name) else {
         let expected = "a subindex from 0 to 255, or a range of them such as \"1..=16\"";
         sections.invalid(&member.key.name, expected, member.key.at);
         return None;
@@ -96,54 +76,6 @@ fn shared(object: &Table, header: Location, sections: &mut Sections<'_>) -> Opti
         source: None,
         origin: Origin::new(header, table),
     })
-}
-
-/// The table of an entry with what the object's table says for all entries. What a description says there is more than
-/// what a profile says of the entry.
-fn with_shared(own: &Table, object: &Table) -> Table {
-    let mut table = own.clone();
-    for shared in object.members.iter().filter(|member| SHARED.contains(&&*member.key.name)) {
-        match table.position(&shared.key.name).and_then(|place| table.members.get_mut(place)) {
-            Some(own) if own.layer < shared.layer => {
-                *own = Member { under: Some(Arc::new(own.node.clone())), ..shared.clone() };
-            }
-            Some(own) if own.under.is_none() && shared.layer < own.layer => {
-                own.under = Some(Arc::new(shared.node.clone()))
-            }
-            Some(_) => {}
-            None => table.members.push(shared.clone()),
-        }
-    }
-    if let Some(assumed) = assumed(own, object) {
-        table.members.retain(|member| member.key.name != assumed.key.name);
-        table.members.push(assumed);
-    }
-    table
-}
-
-/// The reasons for what an entry says, and those of the object's table for what that says for all entries; none if the
-/// object has no reasons, or the entry one for all of it.
-fn assumed(own: &Table, object: &Table) -> Option<Member> {
-    let reasons = object.get("assumed")?;
-    let inherited = |key: &str| SHARED.contains(&key) && own.get(key).is_none();
-    let mut all = match own.get("assumed").map(|own| &own.node.value) {
-        None if !matches!(reasons.node.value, Value::Table(_)) => return Some(reasons.clone()),
-        None => Table { at: reasons.node.at, members: Members::default() },
-        Some(Value::Table(own)) => Table::clone(own),
-        Some(_) => return None,
-    };
-    let shared: Members = match &reasons.node.value {
-        Value::Table(keys) => keys.members.clone(),
-        _ => {
-            object.members.iter().map(|said| Member { node: reasons.node.clone(), ..said.clone() }).collect()
-        }
-    };
-    let shared = shared.into_iter().filter(|reason| inherited(&reason.key.name));
-    for reason in shared.filter(|reason| all.get(&reason.key.name).is_none()).collect::<Members>() {
-        all.members.push(reason);
-    }
-    let node = Node { at: reasons.node.at, value: Value::Table(Arc::new(all)) };
-    Some(Member { node, ..reasons.clone() })
 }
 
 /// The members of a table inside a table.

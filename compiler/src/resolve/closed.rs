@@ -15,6 +15,7 @@ pub(super) fn judge(context: &mut Context<'_>, raw: &RawDevice) {
     raw.axes.iter().for_each(|raw| axes(context, raw));
     raw.objects.iter().for_each(|object| id(context, object));
     communication_states(context, raw);
+    al_status_codes(context, raw);
     cycles(context, raw);
     registers(context, raw);
 }
@@ -73,6 +74,28 @@ fn communication_states(context: &mut Context<'_>, raw: &RawDevice) {
     for state in raw.communication_states.iter().filter(|it| !matches!(it.code, 1 | 2 | 3 | 4 | 8)) {
         let expected = "the number of an EtherCAT state: 1, 2, 3, 4 or 8";
         context.invalid(&state.code.to_string(), expected, state.origin.value("code"));
+    }
+}
+
+/// The states, each by its letter, and the changes from one to another.
+fn al_status_codes(context: &mut Context<'_>, raw: &RawDevice) {
+    const STATES: [&str; 5] = ["I", "P", "B", "S", "O"];
+    let others = |from: &'static str| STATES.into_iter().filter(move |to| *to != from);
+    let changes = STATES.into_iter().flat_map(|from| others(from).map(move |to| format!("{from}{to}")));
+    let known: Vec<String> = STATES.map(str::to_owned).into_iter().chain(changes).collect();
+    for code in &raw.al_status_codes {
+        for (i, text) in code.during.iter().enumerate().filter(|(_, text)| !known.contains(text)) {
+            let at = code.origin.value(&format!("during.{i}"));
+            let message = format!("`{text}` means nothing here");
+            let expected = "expected two of the states I, P, B, S and O, as \"PS\", or one of them";
+            let fault = Diagnostic::new(&faults::INVALID_VALUE, message, at, expected);
+            let letters: String = text.chars().filter(char::is_ascii_alphabetic).collect();
+            let meant = known.iter().find(|known| **known == letters.to_ascii_uppercase());
+            context.diagnostics.push(match meant {
+                Some(meant) => fault.fix(format!("did you mean `{meant}`?"), at, format!("\"{meant}\"")),
+                None => fault,
+            });
+        }
     }
 }
 

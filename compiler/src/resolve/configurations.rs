@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::derived::Basis;
 use super::startup::StartUp;
-use super::{mapped, objects, pdos, values};
+use super::{mapped, pdos, writes};
 use crate::diagnostic::faults;
 use crate::model::{ChosenWrite, Configuration, DataType, Direction, Index, Object, Pdo, SdoWrite, Value};
 use crate::raw::{RawConfiguration, RawMapped, RawWrite};
@@ -76,20 +76,17 @@ fn writes(
     objects: &[Object],
 ) -> Vec<ChosenWrite> {
     let known = TRANSITIONS.map(str::to_owned);
-    let mut writes = Vec::new();
+    let mut chosen = Vec::new();
     for (i, RawWrite { entry, value, transition, why }) in raw.iter().enumerate() {
         let at = |key: &str| format!("writes.{i}.{key}");
         if let Some(transition) = transition {
             context.bind(transition, &known, "transition with a mailbox", origin.value(&at("transition")));
         }
-        let Some(address) = context.address(entry, origin.value(&at("entry"))) else { continue };
-        let Some(object) = objects::at(objects, address.index) else { continue };
-        let Some(found) = object.entry(address.subindex) else {
-            context.no_entry(object, address, origin.value(&at("entry")));
+        let Some(entry) = writes::target(context, entry, objects, origin.value(&at("entry"))) else {
             continue;
         };
-        let data_type = found.data_type;
-        let Some(value) = values::value(context, value, data_type, &at("value"), origin) else { continue };
+        let Some(value) = writes::value(context, value, entry, origin.value(&at("value"))) else { continue };
+        let (address, data_type) = (entry.address, entry.data_type);
         let data = match &value {
             Value::Text(text) if matches!(data_type, DataType::Text(_)) => text.as_bytes().to_vec(),
             number => number.little_endian(data_type),
@@ -101,9 +98,9 @@ fn writes(
         }
         let transition = transition.clone().unwrap_or_else(|| "PS".to_owned());
         let write = SdoWrite { transition, address, data, comment: why.clone() };
-        writes.push(ChosenWrite { value, write, at: origin.value(&format!("writes.{i}")) });
+        chosen.push(ChosenWrite { value, write, at: origin.value(&format!("writes.{i}")) });
     }
-    writes
+    chosen
 }
 
 /// Bytes of the longest number, and of what a generated list holds of a text.

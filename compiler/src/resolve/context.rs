@@ -198,7 +198,8 @@ impl Context<'_> {
             return None;
         }
         let message = format!("there is no {what} `{text}`");
-        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
+        let article = if what.starts_with(['a', 'e', 'i', 'o']) { "an" } else { "a" };
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not {article} {what}"));
         let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
         Some(match has_room.then(|| meant(text, known.iter().map(String::as_str))).flatten() {
             Some((near, is_plain)) => instead(fault, near, is_plain, at, written(near)),
@@ -210,18 +211,15 @@ impl Context<'_> {
         })
     }
 
-    /// What single values mean, there or in an enumeration; nothing if there is no such enumeration, which is reported.
-    pub(super) fn meanings(&mut self, raw: &RawValues, origin: &Origin) -> Meanings {
-        let name = match raw {
-            RawValues::Own(meanings) => return meanings.clone(),
-            RawValues::Shared(name) => name,
-        };
-        if let Some(known) = self.enumerations.iter().find(|enumeration| enumeration.id == *name) {
-            return known.values.clone();
+    /// What single values mean, there or in an enumeration; nothing if there is no such enumeration.
+    pub(super) fn meanings(&self, raw: &RawValues) -> Meanings {
+        match raw {
+            RawValues::Own(meanings) => meanings.clone(),
+            RawValues::Shared(name) => {
+                let known = self.enumerations.iter().find(|enumeration| enumeration.id == *name);
+                known.map(|known| known.values.clone()).unwrap_or_default()
+            }
         }
-        let known: Vec<String> = self.enumerations.iter().map(|known| known.id.clone()).collect();
-        self.bind_to(Section::Enumerations, name, &known, "enumeration", origin.value("values"));
-        Meanings::default()
     }
 
     /// The numbers of the axes with the distance of their copy of an index from the first axis' one; no

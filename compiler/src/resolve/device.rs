@@ -5,7 +5,7 @@ use super::derived::{self, Basis};
 use super::kept::{self, sorted};
 use super::names::Names;
 use super::{
-    axes, closed, configurations, coordinates, front, mappability, modes, objects, pdos, restated,
+    axes, closed, configurations, coordinates, front, mappability, modes, named, objects, pdos, restated,
     sync_managers, units, words,
 };
 use crate::diagnostic::Diagnostics;
@@ -13,7 +13,7 @@ use crate::model::{
     Arrangement, Device, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition, Slots, Tables,
     repetitions,
 };
-use crate::raw::{RawAxes, RawDevice};
+use crate::raw::{RawAxes, RawDevice, RawHead};
 
 /// Resolves a device; what cannot be resolved is reported and left out. None if it has no name or no identity, which
 /// was reported before.
@@ -45,32 +45,34 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     let objects = derived::dictionary(context, described, &basis);
     let configurations = configurations::configurations(context, configurations, &objects, &basis);
     let words = words::words(context, words, &objects);
-    let repetitions = repeated(context, &objects, &pdos);
+    #[rustfmt::skip] // as above
+    let RawHead {
+        key: _, name, names, url, urls, vendor, title, about, image, image_bytes, models, profile, group, type_name, physics,
+        ebus_current, no_lrw, source, origin,
+    } = head;
     #[rustfmt::skip] // a line for what belongs together
     let device = Device {
         id,
-        group: head.group.unwrap_or_else(|| format!("{} drives", head.vendor)),
-        type_name: head.type_name.unwrap_or_else(|| head.name.replace(' ', "-")),
-        physics: head.physics.unwrap_or_else(|| "YY".to_owned()),
-        name: head.name, names: head.names, url: head.url, urls: head.urls, vendor: head.vendor, title: head.title, about: head.about,
-        image: head.image.zip(head.image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
-        models: head.models, profile: head.profile, source: head.source, origin: head.origin,
-        identity, ebus_current: head.ebus_current, no_lrw: head.no_lrw, eeprom: eeprom.unwrap_or_else(usual_eeprom),
+        group: group.unwrap_or_else(|| format!("{vendor} drives")),
+        type_name: type_name.unwrap_or_else(|| name.replace(' ', "-")),
+        physics: physics.unwrap_or_else(|| "YY".to_owned()),
+        image: image.zip(image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
+        name, names, url, urls, vendor, title, about, models, profile, source, origin,
+        identity, ebus_current, no_lrw, eeprom: eeprom.unwrap_or_else(usual_eeprom),
         axes: context.axes.clone(), arrangement: arrangement(context, axes), modules, slots,
-        connectors, leds, limits, master_settings,
         communication_states: sorted(communication_states, |state| state.code), communication_transitions,
         al_status_codes: sorted(al_status_codes, |code| code.code), abort_codes: sorted(abort_codes, |code| code.code),
         sync_managers, mailbox, timeouts, sync_modes: kept::sync_modes(sync_modes), cycle_times, dead_time,
-        pdos: by_direction(pdos), configurations, words, objects, repetitions,
+        procedures: front::procedures(context, procedures, &objects), repetitions: repeated(context, &objects, &pdos),
+        pdos: by_direction(pdos), configurations, words, objects,
         states, commands, transitions: sorted(transitions, |transition| transition.number), device_control,
         modes: modes::modes(context, modes), mode_changes, stop_options, homing_methods: kept::homing_methods(homing_methods),
         errors: kept::errors(errors), vendor_codes: sorted(vendor_codes, |code| code.code),
         diagnosis: sorted(diagnosis, |message| message.text_id),
         units: units::units(context, units), coordinates: context.names.coordinates(),
         areas: sorted(areas, |area| (area.first, area.last)), enumerations: std::mem::take(&mut context.enumerations),
-        registers: sorted(registers, |register| register.address), telegrams,
-        parameters: with_addresses(context, parameters), procedures: front::procedures(context, procedures),
-        documents, errata, remarks, assumptions, written: Tables(written),
+        registers: sorted(registers, |register| register.address), telegrams, connectors, leds, limits, master_settings,
+        parameters: with_addresses(context, parameters), documents, errata, remarks, assumptions, written: Tables(written),
     };
     kept::references(context, &device);
     Some(device)
@@ -90,6 +92,7 @@ fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context
     let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));
     context.names = Names::gather(raw, coordinates);
     context.shifts = axes::shifts(&mut context, raw.axes.as_ref());
+    named::judge(&mut context, raw);
     context
 }
 

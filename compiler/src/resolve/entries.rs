@@ -188,7 +188,7 @@ pub(super) fn entry(
         default,
         min,
         max,
-        values: values.as_ref().map(|values| context.meanings(values, origin)).unwrap_or_default(),
+        values: values.as_ref().map(|values| context.meanings(values)).unwrap_or_default(),
         written: *written,
         backup: backup.unwrap_or_default(),
         setting: setting.unwrap_or_default(),
@@ -218,7 +218,7 @@ fn counted(
         Some(subindex) => numbered::value(literal, subindex, data_type),
         None => literal.clone(),
     };
-    values::value(context, &literal, data_type, key, origin)
+    values::value(context, &literal, data_type, [key, "type"].map(|key| origin.value(key)))
 }
 
 fn data_type(
@@ -267,7 +267,12 @@ fn trigger(
 ) -> Option<Trigger> {
     let RawTrigger { value, action, mode, uses, updates } = raw;
     Some(Trigger {
-        value: values::value(context, value, data_type, "trigger.value", origin)?,
+        value: values::value(
+            context,
+            value,
+            data_type,
+            ["trigger.value", "type"].map(|key| origin.value(key)),
+        )?,
         action: action.clone(),
         mode: *mode,
         uses: context.addresses(uses, origin, "trigger.uses"),

@@ -4,8 +4,8 @@
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::Siblings;
-use crate::model::{Device, ErrorCode, HomingMethod, ModePdo, Pdo, Role, Section, SyncMode, Transition};
-use crate::source::{Layer, Origin};
+use crate::model::{Device, ErrorCode, HomingMethod, ModePdo, Pdo, Role, SyncMode, Transition};
+use crate::source::{Layer, Location, Origin};
 
 /// The same tables in the order of a key.
 pub(super) fn sorted<T, K: Ord>(mut tables: Vec<T>, key: impl FnMut(&T) -> K) -> Vec<T> {
@@ -65,8 +65,6 @@ pub(super) fn references(context: &mut Context<'_>, device: &Device) {
         context.bind(&transition.to, &states, what, transition.origin.value("to"));
     }
     mode_managers(context, device);
-    units(context, device);
-    triggers(context, device);
     addresses(context, device);
 }
 
@@ -105,15 +103,18 @@ fn transitions(context: &mut Context<'_>, numbers: &[u8], device: &Device, origi
 
 /// Reports codes of modes that are not described.
 fn modes(context: &mut Context<'_>, codes: &[i16], device: &Device, origin: &Origin, path: &str) {
+    let known: Vec<i16> =
+        device.modes.iter().flat_map(|mode| mode.aliases.iter().copied().chain([mode.code])).collect();
     for (i, code) in codes.iter().enumerate() {
-        mode(context, *code, device, origin, &format!("{path}.{i}"));
+        mode(context, *code, &known, origin.value(&format!("{path}.{i}")));
     }
 }
 
-fn mode(context: &mut Context<'_>, code: i16, device: &Device, origin: &Origin, path: &str) {
-    if !device.modes.iter().any(|mode| mode.code == code || mode.aliases.contains(&code)) {
+/// Reports a code of a mode that is not described.
+pub(super) fn mode(context: &mut Context<'_>, code: i16, known: &[i16], at: Location) {
+    if !known.contains(&code) {
         let message = format!("there is no mode of operation {code}");
-        context.fault(&faults::UNKNOWN_REFERENCE, message, origin.value(path), "not in `[modes]`");
+        context.fault(&faults::UNKNOWN_REFERENCE, message, at, "not in `[modes]`");
     }
 }
 
@@ -140,24 +141,6 @@ fn mode_managers(context: &mut Context<'_>, device: &Device) {
     }
 }
 
-/// Reports units that entries name and nobody describes.
-fn units(context: &mut Context<'_>, device: &Device) {
-    let known: Vec<String> = device.units.iter().map(|unit| unit.id.clone()).collect();
-    for entry in device.objects.iter().flat_map(|object| &object.entries) {
-        if let Some(unit) = &entry.unit {
-            context.bind_to(Section::Units, unit, &known, "unit", entry.origin.value("unit"));
-        }
-    }
-}
-
-fn triggers(context: &mut Context<'_>, device: &Device) {
-    for entry in device.objects.iter().flat_map(|object| &object.entries) {
-        if let Some(code) = entry.trigger.as_ref().and_then(|trigger| trigger.mode) {
-            mode(context, code, device, &entry.origin, "trigger.mode");
-        }
-    }
-}
-
 /// Reports references to entries that their objects do not have.
 fn addresses(context: &mut Context<'_>, device: &Device) {
     let modes = device
@@ -172,10 +155,7 @@ fn addresses(context: &mut Context<'_>, device: &Device) {
         let updates = trigger.updates.iter().map(|address| (*address, &entry.origin, "trigger.updates"));
         uses.chain(updates).collect()
     });
-    let steps = device.procedures.iter().flat_map(|procedure| {
-        procedure.steps.iter().filter_map(|step| Some((step.address?, &procedure.origin, "steps")))
-    });
-    for (address, origin, path) in modes.chain(factors).chain(triggers).chain(steps) {
+    for (address, origin, path) in modes.chain(factors).chain(triggers) {
         if let Some(object) =
             device.object(address.index).filter(|object| object.entry(address.subindex).is_none())
         {

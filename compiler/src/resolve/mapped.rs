@@ -1,6 +1,7 @@
 //! What a PDO carries, laid out bit by bit.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use super::context::Context;
 use super::{names, numbered, objects};
@@ -8,7 +9,7 @@ use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::{self, Siblings};
 use crate::model::{Address, DataType, Entry, Mapped, Object};
 use crate::raw::RawMapped;
-use crate::source::{Location, Origin, keys};
+use crate::source::{Key, Layer, Location, Member, Origin, Table, keys};
 
 /// What a sync manager can carry: its length is a number of bytes in 16 bits.
 const MAX_BITS: u32 = u16::MAX as u32 * 8;
@@ -29,17 +30,18 @@ pub(super) fn mapped(
     let mut offset = 0;
     let mut ids = Siblings::default();
     let mut entries = Vec::new();
-    let places = raw.iter().enumerate().map(|(i, entry)| (origin.value(&format!("{path}.{i}")), entry));
-    let all: Vec<_> =
-        places.flat_map(|(at, entry)| span(context, entry, objects).map(move |entry| (at, entry))).collect();
-    for (i, (at, entry)) in all.iter().enumerate() {
-        let at = *at;
+    let places = raw.iter().enumerate().map(|(i, entry)| (place(origin, path, i), entry));
+    let spans = places
+        .flat_map(|(place, entry)| span(context, entry, objects).map(move |entry| (place.clone(), entry)));
+    let all: Vec<_> = spans.collect();
+    for (i, (place, entry)) in all.iter().enumerate() {
+        let at = place.header();
         if i == MOST {
             let message = format!("{} entries do not fit a PDO", all.len());
             context.fault(&faults::UNFIT_VALUE, message, at, &format!("a mapping object holds {MOST}"));
             break;
         }
-        if let Some(found) = one(context, entry, at, axis, objects) {
+        if let Some(found) = one(context, entry, place, axis, objects) {
             let mapped = Mapped { offset, id: ids.claim(&found.id), ..found };
             offset += mapped.bits;
             entries.push(mapped);
@@ -53,13 +55,25 @@ pub(super) fn mapped(
     entries
 }
 
+/// What a list says in one place, as a table.
+fn place(origin: &Origin, path: &str, i: usize) -> Origin {
+    let Some(node) = origin.node(&format!("{path}.{i}")) else { return origin.header_only() };
+    let entry = || {
+        let layer = origin.layer(path).unwrap_or(Layer::Description);
+        let entry = Member { key: Key::new("entry", node.at), node: node.clone(), layer, under: None };
+        Arc::new(Table { at: node.at, members: vec![entry].into() })
+    };
+    Origin::new(node.at, node.table().map_or_else(entry, Arc::clone))
+}
+
 fn one(
     context: &mut Context<'_>,
     raw: &RawMapped,
-    at: Location,
+    origin: &Origin,
     axis: Option<u8>,
     objects: &[Object],
 ) -> Option<Mapped> {
+    let at = origin.header();
     let padding = Mapped {
         address: None,
         name: raw.name.clone().unwrap_or_else(|| "Padding".to_owned()),
@@ -70,7 +84,7 @@ fn one(
         data_type: None,
         own_type: None,
         about: raw.about.clone(),
-        at,
+        origin: origin.clone(),
     };
     let Some(text) = &raw.entry else {
         typeless(context, raw, "padding has no type", at);

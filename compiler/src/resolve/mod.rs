@@ -18,6 +18,7 @@ mod kept;
 mod mappability;
 mod mapped;
 mod modes;
+mod named;
 mod names;
 mod numbered;
 mod objects;
@@ -29,6 +30,7 @@ mod sync_managers;
 mod units;
 mod values;
 mod words;
+mod writes;
 
 use crate::diagnostic::Diagnostics;
 use crate::model::{Device, Family, Shared};

@@ -7,7 +7,7 @@ use super::{entries, names, numbered};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Index, Kind, Object};
 use crate::raw::{RawObject, RawObjectHead};
-use crate::source::keys;
+use crate::source::{Location, keys};
 
 /// What description says of objects that devc makes, by index.
 pub(super) struct Described {
@@ -41,7 +41,8 @@ pub(super) fn at(objects: &[Object], index: Index) -> Option<&Object> {
     objects.get(place)
 }
 
-/// The object as it is on some axes; reports what names no axis.
+/// The object as it is on some axes; reports what names no axis, or one that others name, and what is said of axes that do not
+/// have one each.
 fn differing<'e>(
     context: &mut Context<'_>,
     entity: &'e RawObject,
@@ -49,16 +50,33 @@ fn differing<'e>(
     if entity.per_axis.is_empty() {
         return Vec::new();
     }
+    if context.copies(entity.index) == [(None, 0)] {
+        let message = format!("{} is there once, and differs from axis to axis", entity.index);
+        let at = entity.origin.value("per-axis");
+        let fault = Diagnostic::new(&faults::INVALID_VALUE, message, at, "no axis has one of its own");
+        context
+            .diagnostics
+            .push(fault.help("widen a range of `shifts` in `[axes]`, or say it of the object"));
+    }
     let known: Vec<String> = context.axes.iter().map(|axis| axis.name.clone()).collect();
-    let mut differing = Vec::new();
+    let mut differing: Vec<(RangeInclusive<usize>, &RawObject)> = Vec::new();
+    let mut places: Vec<Location> = Vec::new();
     for (axes, on_them) in &entity.per_axis {
-        match keys::names(axes, &known) {
-            Some(range) => differing.push((range, on_them)),
-            None => {
-                let at = entity.origin.value("per-axis");
-                context.invalid(axes, &format!("an axis or a range of axes of {}", keys::some(&known)), at);
-            }
+        let at = entity.origin.value(&format!("per-axis.{axes}"));
+        let Some(range) = keys::names(axes, &known) else {
+            context.invalid(axes, &format!("an axis or a range of axes of {}", keys::some(&known)), at);
+            continue;
+        };
+        let is_shared = |(other, _): &(RangeInclusive<usize>, _)| {
+            other.start() <= range.end() && range.start() <= other.end()
+        };
+        if let Some(other) = differing.iter().position(is_shared).and_then(|place| places.get(place)) {
+            let message = format!("{} is said to differ twice on one axis", entity.index);
+            let fault = Diagnostic::new(&faults::DUPLICATE_DEFINITION, message, at, "here");
+            context.diagnostics.push(fault.label(*other, "and here"));
         }
+        differing.push((range, on_them));
+        places.push(at);
     }
     differing
 }

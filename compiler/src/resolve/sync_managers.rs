@@ -70,23 +70,28 @@ fn sync_manager(
     let assigned = assigned(context, &entity, described);
     let bits: u32 = pdos.iter().filter(|pdo| assigned.contains(&pdo.index)).map(Pdo::bits).sum();
     let image = u16::try_from(bits.div_ceil(8)).unwrap_or(u16::MAX);
-    let size = entity.size.unwrap_or(image);
+    #[rustfmt::skip] // a line for what belongs together
+    let RawSyncManager {
+        key: id, role: _, number: _, address, size, min_size, max_size, control, enable, op_only, r#virtual, pdos: _, slots,
+        source, origin,
+    } = entity;
+    let size = size.unwrap_or(image);
     SyncManager {
-        id: entity.key,
+        id,
         number: 0,
         role,
-        address: entity.address,
-        min_size: entity.min_size,
+        address,
+        min_size,
         size,
-        max_size: entity.max_size,
-        control: entity.control.unwrap_or(role.usual_control()),
-        enable: entity.enable.unwrap_or(size > 0),
-        op_only: entity.op_only,
-        r#virtual: entity.r#virtual,
-        slots: entity.slots.unwrap_or_else(|| u8::try_from(assigned.len()).unwrap_or(u8::MAX)),
+        max_size,
+        control: control.unwrap_or(role.usual_control()),
+        enable: enable.unwrap_or(size > 0),
+        op_only,
+        r#virtual,
+        slots: slots.unwrap_or_else(|| u8::try_from(assigned.len()).unwrap_or(u8::MAX)),
         pdos: assigned,
-        source: entity.source,
-        origin: entity.origin,
+        source,
+        origin,
     }
 }
 

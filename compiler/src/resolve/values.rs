@@ -3,15 +3,14 @@
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{DataType, Hex, Literal, Value};
-use crate::source::{Origin, keys};
+use crate::source::{Location, keys};
 
-/// The value that a literal is in a type, or a report that it does not fit.
+/// The value that a literal is in a type, or a report that it does not fit; with where it stands, and where the type does.
 pub(super) fn value(
     context: &mut Context<'_>,
     literal: &Literal,
     data_type: DataType,
-    path: &str,
-    origin: &Origin,
+    [at, of_type]: [Location; 2],
 ) -> Option<Value> {
     let value = match literal {
         Literal::Text(text)
@@ -22,10 +21,9 @@ pub(super) fn value(
         _ => fit(literal, data_type),
     };
     if value.is_none() {
-        let at = origin.value(path);
         let message = format!("{} does not fit {data_type}", shown(literal));
         let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, at, holds(data_type));
-        let fault = fault.label(origin.value("type"), "the type");
+        let fault = fault.label(of_type, "the type");
         context.diagnostics.push(match meant(literal, data_type) {
             Some(Meant::Unquoted(number)) => fault.fix("a number has no quotes", at, number),
             Some(Meant::Signed(number)) => {

@@ -53,9 +53,10 @@ impl Origin {
         self.node(path).is_some()
     }
 
-    /// Who set the value at `path`, if one was set.
+    /// Who set the value at `path`, or took it away, if anybody did.
     pub fn layer(&self, path: &str) -> Option<Layer> {
-        self.member(path).map(|member| member.layer)
+        let gone = || self.table.members.gone().iter().find(|(key, _)| &**key == path);
+        self.member(path).map(|member| member.layer).or_else(|| gone().map(|(_, layer)| *layer))
     }
 
     /// The value of the layer below at `path`, if the description replaced it by its own: a profile's, or one

@@ -160,7 +160,8 @@ impl Table {
         };
         let mut members: Vec<Member> = base.members.iter().map(&mut laid).collect();
         members.extend(self.members.iter().filter(|member| own.contains_key(&member.key.canonical)).cloned());
-        Table { at: self.at, members: members.into() }
+        let members = Members::from(members).without_those_of(&base.members).without_those_of(&self.members);
+        Table { at: self.at, members }
     }
 }
 

@@ -10,7 +10,6 @@ use std::path::{Path, PathBuf};
 use devc::Compilation;
 use devc::diff::{Comparison, compare, gate};
 use devc::import::{Choice, Imported, import};
-use devc::source::Memory;
 
 /// What changes where: a place and a class.
 type Facts = BTreeSet<(String, String)>;
@@ -38,10 +37,7 @@ fn imported(file: &str, device: &str) -> Imported {
 }
 
 fn compiled(imported: &Imported) -> Compilation {
-    let with = |memory: Memory, (name, text): (&String, &String)| {
-        memory.with(format!("drive/{name}"), text.as_str())
-    };
-    devc::compile(&imported.files.iter().fold(Memory::new(), with), Path::new("drive"))
+    devc::compile(&imported.in_memory("drive"), Path::new("drive"))
 }
 
 /// A place as the truth names it: `605A:00` and `rx.1600` as `605A` and `1600`.

@@ -3,6 +3,7 @@
 
 #![cfg(test)]
 
+mod marks;
 mod places;
 mod samples;
 
@@ -177,6 +178,29 @@ fn what_counts_as_documentation_was_decided() {
 #[test]
 fn no_fact_of_a_member_is_lost() {
     judge(&set_everything(include_str!("members.toml")), 60);
+}
+
+/// In each table that can give reasons, one for a key that is not there is answered, and one for each key that is there is
+/// taken.
+#[test]
+fn what_is_assumed_is_a_fact() {
+    let base: Table = toml::from_str(include_str!("base.toml")).expect("the base is TOML");
+    let schema: Value = serde_json::from_str(&devc::raw::schema::schema()).expect("the schema is JSON");
+    let places = places::places(&base, &schema);
+    let can_assume: Vec<&Place> = places.iter().filter(|place| place.can_assume()).collect();
+    assert!(can_assume.len() > 50, "{} tables can give reasons", can_assume.len());
+    let assume = |keys: &dyn Fn(&Place) -> Vec<String>| {
+        let with_reasons = can_assume.iter().fold(base.clone(), |all, place| {
+            let reasons = keys(place).into_iter().map(|key| (key, "it is likely".into()));
+            place.with(&all, "assumed", reasons.collect::<Table>().into()).expect("another table")
+        });
+        let messages = outcome(&with_reasons).messages.into_iter();
+        messages.filter(|message| message.starts_with("idle-assumption")).collect::<Vec<_>>()
+    };
+    let found = assume(&|_| vec!["nonsense".to_owned()]);
+    assert_eq!(found.len(), can_assume.len(), "{found:#?}");
+    let found = assume(&|place| place.stated(&base));
+    assert!(found.is_empty(), "{found:#?}");
 }
 
 /// What is compared is the same for the same description: a difference comes from what is set.

@@ -107,17 +107,57 @@ impl Place {
         keys.filter(|(key, _)| !matches!(key.as_str(), "like" | "without")).collect()
     }
 
+    /// The table in a description.
+    pub(crate) fn table<'b>(&self, base: &'b Table) -> Option<&'b Table> {
+        let (first, rest) = self.path.split_first()?;
+        let first = match first {
+            Step::Key(key) | Step::Thing(key) => base.get(key)?,
+            Step::Item(_) => return None,
+        };
+        let found = rest.iter().try_fold(first, |table, step| match step {
+            Step::Key(key) | Step::Thing(key) => table.get(key),
+            Step::Item(place) => table.get(*place),
+        });
+        found?.as_table()
+    }
+
+    /// The description without a key of the table.
+    pub(crate) fn without(&self, base: &Table, key: &str) -> Option<Table> {
+        let mut changed = base.clone();
+        self.table_mut(&mut changed)?.remove(key)?;
+        Some(changed)
+    }
+
+    /// Whether the table can say why its facts are assumed.
+    pub(crate) fn can_assume(&self) -> bool {
+        self.schema["properties"].get("assumed").is_some()
+    }
+
+    /// The keys that a description states in the table.
+    pub(crate) fn stated(&self, base: &Table) -> Vec<String> {
+        let keys = self.table(base).into_iter().flat_map(Table::keys);
+        keys.filter(|key| !matches!(key.as_str(), "like" | "without")).cloned().collect()
+    }
+
     /// The description with a key of the table set to something else; none if that is what it says already.
     pub(crate) fn with(&self, base: &Table, key: &str, value: Value) -> Option<Table> {
-        let mut changed = Value::Table(base.clone());
-        let mut table = &mut changed;
-        for step in &self.path {
+        let mut changed = base.clone();
+        let old = self.table_mut(&mut changed)?.insert(key.to_owned(), value.clone());
+        (old.as_ref() != Some(&value)).then_some(changed)
+    }
+
+    fn table_mut<'b>(&self, base: &'b mut Table) -> Option<&'b mut Table> {
+        let (first, rest) = self.path.split_first()?;
+        let mut table = match first {
+            Step::Key(key) | Step::Thing(key) => base.get_mut(key)?,
+            Step::Item(_) => return None,
+        };
+        for step in rest {
             table = match step {
                 Step::Key(key) | Step::Thing(key) => table.get_mut(key)?,
                 Step::Item(place) => table.get_mut(*place)?,
             };
         }
-        let old = table.as_table_mut()?.insert(key.to_owned(), value.clone());
-        (old.as_ref() != Some(&value)).then(|| changed.as_table().cloned())?
+        table.as_table_mut()
     }
 }

@@ -52,6 +52,8 @@ pub(crate) fn of(device: Node<'_, '_>) -> Facts {
     facts.number("product", kind.attribute("ProductCode").map(str::to_owned), &whole);
     facts.number("revision", kind.attribute("RevisionNo").map(str::to_owned), &whole);
     facts.text("physics", device.attribute("Physics").map(|it| it.trim().to_owned()), &whole);
+    let picture = text_in(device, "ImageData16x14").filter(|it| !it.is_empty());
+    facts.text("picture", picture.map(|it| it.to_uppercase()), &whole);
     facts.text("group", text_in(device, "GroupType").filter(|it| !it.is_empty()), &whole);
     if let Some(profile) = find(device, "Profile") {
         facts.number("profile", text_in(profile, "ProfileNo"), &whole);

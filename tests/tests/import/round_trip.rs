@@ -2,7 +2,6 @@
 
 use devc::emit::{self, Options};
 use devc::import::{Choice, Imported, Note, import};
-use devc::source::Memory;
 
 use super::facts::{self, Facts};
 
@@ -39,10 +38,7 @@ pub(crate) fn trip(bytes: &[u8], number: usize) -> Result<Trip, String> {
 
 /// The ESI that devc makes of the files, and how many warnings it has about them.
 pub(crate) fn compiled(imported: &Imported) -> Result<(String, usize), String> {
-    let files = imported.files.iter();
-    let memory =
-        files.fold(Memory::new(), |memory, (name, text)| memory.with(format!("drive/{name}"), text.as_str()));
-    let compilation = devc::compile(&memory, "drive".as_ref());
+    let compilation = devc::compile(&imported.in_memory("drive"), "drive".as_ref());
     let messages: Vec<&String> = compilation.diagnostics.iter().map(|it| &it.message).collect();
     let warnings = messages.len();
     let Some(family) = compilation.family else { return Err(format!("does not compile: {messages:?}")) };

@@ -2,7 +2,6 @@
 
 use devc::import::{Choice, Imported, NoteKind, import};
 use devc::model::{Access, DataType, Device, Mappable, Value};
-use devc::source::Memory;
 
 /// A sheet as a tool for CANopen writes it: indices in lower case, an object that says once what holds for all its
 /// entries, a value that depends on the node, another that is hexadecimal.
@@ -145,10 +144,7 @@ pub(crate) fn description(imported: &Imported) -> String {
 }
 
 pub(crate) fn compiled(imported: &Imported) -> Device {
-    let files = imported.files.iter();
-    let memory =
-        files.fold(Memory::new(), |memory, (name, text)| memory.with(format!("drive/{name}"), text.as_str()));
-    let compilation = devc::compile(&memory, "drive".as_ref());
+    let compilation = devc::compile(&imported.in_memory("drive"), "drive".as_ref());
     let messages: Vec<&String> = compilation.diagnostics.iter().map(|it| &it.message).collect();
     let family = compilation.family.unwrap_or_else(|| panic!("{messages:?}\n{}", description(imported)));
     family.members[0].clone()

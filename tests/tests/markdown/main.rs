@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+mod marks;
 mod provenance;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -6,7 +6,7 @@ mod prose;
 mod said;
 mod value;
 
-pub(super) use said::{assumption_id, erratum_id};
+pub(super) use said::{assumption_id, erratum_id, once};
 
 use super::holds::Form;
 use super::inline::{code, fragment, link, small, text};

@@ -2,8 +2,9 @@
 //! told once, at the object.
 
 use super::doc::{Doc, departure};
-use crate::model::{Device, Object, Provenance, facts};
+use crate::model::{Device, Object, Provenance, assumption, facts};
 use crate::raw::SHARED;
+use crate::source::Value;
 
 /// Those of all entries, each once.
 pub(super) struct Departures(Vec<Departure>);
@@ -23,6 +24,7 @@ impl Departures {
             !matches!(who, Provenance::Stated | Provenance::Profile | Provenance::Derived)
         };
         let of_object: Vec<_> = facts(&object.origin).into_iter().filter(departs).collect();
+        let of_whole = of_whole(object);
         let mut all: Vec<Departure> = Vec::new();
         for entry in &object.entries {
             for (path, who) in facts(&entry.origin).into_iter().filter(departs) {
@@ -33,7 +35,7 @@ impl Departures {
                 }
                 let key = path.split('.').next().unwrap_or_default();
                 let is_said = || of_object.iter().any(|(other, by)| *other == path && *by == who);
-                let is_of_object = SHARED.contains(&key) && is_said();
+                let is_of_object = SHARED.contains(&key) && is_said() || of_whole.as_ref() == Some(&who);
                 all.push(Departure { path, who, subindices: vec![subindex], is_of_object });
             }
         }
@@ -43,8 +45,8 @@ impl Departures {
     /// The documentation of the object, with what several of its entries have for themselves.
     pub(super) fn at_object(&self, doc: Doc, device: &Device) -> Doc {
         let shared = self.0.iter().filter(|known| known.is_shared() && !known.is_of_object);
-        let sentences = shared.filter_map(|known| {
-            let path = format!("{} of {}", known.path, spans(&known.subindices));
+        let sentences = together(shared).into_iter().filter_map(|(known, paths)| {
+            let path = format!("{paths} of {}", spans(&known.subindices));
             departure(&path, &known.who, device)
         });
         doc.sentences(sentences)
@@ -53,8 +55,30 @@ impl Departures {
     /// The documentation of an entry, with what it alone has.
     pub(super) fn at_entry(&self, doc: Doc, subindex: u8, device: &Device) -> Doc {
         let own = self.0.iter().filter(|known| !known.is_shared() && known.subindices.contains(&subindex));
-        let sentences = own.filter_map(|known| departure(&known.path, &known.who, device));
-        doc.sentences(sentences)
+        let sentences = together(own).into_iter();
+        doc.sentences(sentences.filter_map(|(known, paths)| departure(&paths, &known.who, device)))
+    }
+}
+
+/// Those of the same entries for the same reason, with their keys.
+fn together<'d>(all: impl Iterator<Item = &'d Departure>) -> Vec<(&'d Departure, String)> {
+    let mut together: Vec<(&Departure, String)> = Vec::new();
+    for one in all {
+        let is_like = |other: &Departure| (&other.who, &other.subindices) == (&one.who, &one.subindices);
+        match together.iter_mut().find(|(other, _)| is_like(other)) {
+            Some((_, paths)) => *paths = format!("{paths}, {}", one.path),
+            None => together.push((one, one.path.clone())),
+        }
+    }
+    together
+}
+
+/// Why all of an object, or all of its entries, are assumed.
+fn of_whole(object: &Object) -> Option<Provenance> {
+    let reasons = object.origin.node("assumed")?;
+    match (&reasons.value, assumption(&object.origin, "entries")) {
+        (Value::String(reason), _) => Some(Provenance::Assumed(reason.to_string())),
+        (_, of_entries) => of_entries.map(|reason| Provenance::Assumed(reason.to_owned())),
     }
 }
 

@@ -71,8 +71,19 @@ impl Doc {
 
     /// Where the facts are from, and a sentence for each that is not from there: assumed, corrected, contradicted.
     pub(super) fn said(self, source: Option<&Source>, origin: &Origin, device: &Device) -> Self {
-        let departures = facts(origin).into_iter().filter_map(|(path, who)| departure(&path, &who, device));
-        self.source(source, device).sentences(departures)
+        let mut facts = facts(origin);
+        // types are shared by members whose lists are assumed and those whose are not
+        facts.retain(|(path, _)| path != "entries");
+        let departures = departures(origin, facts, device);
+        self.source(source, device).sentences(departures.into_iter())
+    }
+
+    /// A sentence for each of these keys that no source states as it stands here; for constants that are made of a part of
+    /// what a table says.
+    pub(super) fn departing(self, keys: &[&str], origin: &Origin, device: &Device) -> Self {
+        let mut facts = facts(origin);
+        facts.retain(|(path, _)| keys.contains(&path.as_str()));
+        self.sentences(departures(origin, facts, device).into_iter())
     }
 
     /// Another paragraph, of these sentences, if there are any.
@@ -106,16 +117,43 @@ impl ToTokens for Doc {
     }
 }
 
+/// A sentence for each reason, or erratum, for facts of a table that the source does not state as they stand here.
+pub(super) fn departures(origin: &Origin, facts: Vec<(String, Provenance)>, device: &Device) -> Vec<String> {
+    let all = facts.len();
+    let mut departures: Vec<(Provenance, Vec<String>)> = Vec::new();
+    for (path, who) in facts {
+        match departures.iter_mut().find(|(other, _)| *other == who) {
+            Some((_, paths)) => paths.push(path),
+            None => departures.push((who, vec![path])),
+        }
+    }
+    let has_one_reason = origin.node("assumed").is_some_and(|reasons| reasons.table().is_none());
+    let told = departures.iter().filter_map(|(who, paths)| {
+        let is_all = has_one_reason && paths.len() == all;
+        let paths: Vec<String> = paths.iter().map(|path| spoken(path)).collect();
+        departure(&if is_all { String::new() } else { paths.join(", ") }, who, device)
+    });
+    told.collect()
+}
+
+/// A path as people say it: what is mapped in a PDO is counted as in its mapping object.
+fn spoken(path: &str) -> String {
+    let mapped = path.strip_prefix("entries.").and_then(|path| path.split_once('.'));
+    let mapped = mapped.and_then(|(place, key)| Some((place.parse::<u8>().ok()?.checked_add(1)?, key)));
+    mapped.map_or_else(|| path.to_owned(), |(place, key)| format!("{key} of {place}"))
+}
+
 /// What a line says of a fact that the source does not state as it stands here.
 pub(super) fn departure(path: &str, who: &Provenance, device: &Device) -> Option<String> {
+    let path = if path.is_empty() { String::new() } else { format!(", {path}") };
     let erratum = |number: &u16| device.errata.get(usize::from(*number));
     match who {
-        Provenance::Assumed(reason) => Some(format!("Assumed, {path}: {reason}.")),
+        Provenance::Assumed(reason) => Some(format!("Assumed{path}: {reason}.")),
         Provenance::Corrected(number) => {
             let erratum = erratum(number)?;
-            Some(format!("Corrected, {path}; the source says: {}. {}", erratum.says, erratum.why))
+            Some(format!("Corrected{path}; the source says: {}. {}", erratum.says, erratum.why))
         }
-        Provenance::Contradicted(number) => Some(format!("Contradicted, {path}: {}", erratum(number)?.why)),
+        Provenance::Contradicted(number) => Some(format!("Contradicted{path}: {}", erratum(number)?.why)),
         Provenance::Stated | Provenance::Profile | Provenance::Derived => None,
     }
 }

@@ -105,7 +105,8 @@ pub(super) fn device(scope: &Scope<'_>) -> TokenStream {
                 .then(|| format!("Models: {}.", scope.device.models.join(", ")))
                 .as_deref(),
         )
-        .said(scope.device.identity.source.as_ref(), &scope.device.identity.origin, scope.device);
+        .said(scope.device.identity.source.as_ref(), &scope.device.identity.origin, scope.device)
+        .departing(&["name", "vendor", "title", "about", "models"], &scope.device.origin, scope.device);
     let identity = identity(scope.device, marker, &quote!(Device));
     quote! {
         #doc
@@ -149,6 +150,7 @@ fn axes(scope: &Scope<'_>) -> (Doc, TokenStream) {
     let distance = shift(scope.device, Index(0x6000))
         .map(|by| format!("Objects of the drive profile are 0x{by:X} apart."));
     let doc = Doc::new("The axes of the device.").text(&distance.unwrap_or_default());
+    let doc = doc.departing(&["names", "about", "shifts"], &scope.device.arrangement.origin, scope.device);
     let (owner, within) = (&scope.owner, &scope.within.1);
     let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

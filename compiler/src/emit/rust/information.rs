@@ -25,7 +25,11 @@ pub(super) fn items<'s>(scope: &'s Scope<'_>, pages: &[Page<'s, '_>]) -> Vec<Ite
     }
     let all = Item::new(format_ident!("NAMES"), move || {
         let doc = "The name of every object and entry, for a firmware that tells what is in its dictionary.";
-        (Doc::new(doc), quote!(pub static NAMES: sdo::Names = sdo::Names { pages: &[#(#rows),*] };))
+        let doc =
+            scope.device.mailbox.iter().fold(Doc::new(doc), |doc, mailbox| {
+                doc.departing(&["sdo-info"], &mailbox.origin, scope.device)
+            });
+        (doc, quote!(pub static NAMES: sdo::Names = sdo::Names { pages: &[#(#rows),*] };))
     });
     [all.reaching(Reach::Own)].into_iter().chain(items).collect()
 }

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::doc::Doc;
 use super::literal::{hex16, number};
 use super::ranges;
 use super::scope::Scope;
@@ -10,9 +11,11 @@ use super::stored::Stored;
 
 pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let (constant, ranges) = ranges::items(scope, stored);
-    let has_complete_access = scope.device.mailbox.as_ref().is_some_and(|mailbox| mailbox.complete_access);
-    let complete_access = has_complete_access.then(|| {
+    let mailbox = scope.device.mailbox.as_ref().filter(|mailbox| mailbox.complete_access);
+    let complete_access = mailbox.map(|mailbox| {
+        let doc = Doc::default().departing(&["complete-access"], &mailbox.origin, scope.device);
         quote!(
+            #doc
             #[inline]
             fn has_complete_access(&self) -> bool {
                 true

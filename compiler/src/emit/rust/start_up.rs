@@ -53,7 +53,16 @@ fn constant(scope: &Scope<'_>) -> (Doc, TokenStream) {
         };
     };
     let doc = Doc::new("What of the device bears on its bring-up, and on what process data it takes.");
-    (ways.into_iter().fold(doc, |doc, way| sync_managers::said(scope, way, doc)), code)
+    let doc = ways.into_iter().fold(doc, |doc, way| sync_managers::said(scope, way, doc));
+    let doc = scope.device.mailbox.iter().fold(doc, |doc, mailbox| {
+        doc.departing(&["pdo-assign", "pdo-config"], &mailbox.origin, scope.device)
+    });
+    let doc = scope
+        .device
+        .cycle_times
+        .iter()
+        .fold(doc, |doc, limit| doc.departing(&["min", "choices", "modes"], &limit.origin, scope.device));
+    (doc, code)
 }
 
 /// The family of a device that is alone.

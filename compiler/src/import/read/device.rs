@@ -7,6 +7,7 @@ use super::esi::{
 use super::number::{bytes, number, truth};
 use super::{diagnosis, dictionary, process_data, words};
 use crate::model::{CheckedCode, CheckedRevision, are_ports};
+use crate::raw::MOST_OF_PICTURE;
 
 pub(super) fn head(device: &Element<'_>) -> Head {
     let kind = device.child("Type");
@@ -26,8 +27,8 @@ pub(super) fn device(device: &Element<'_>) -> Device {
     let profiles: Vec<&Element<'_>> = device.all("Profile").collect();
     let profile = profiles.iter().find_map(|profile| profile_number(profile));
     let channels = profiles.iter().flat_map(|it| it.all("ChannelInfo")).map(|it| channel(it, profile));
-    let dictionary = profiles.iter().find_map(|profile| profile.child("Dictionary"));
-    let (objects, excess) = dictionary.map(dictionary::objects).unwrap_or_default();
+    let dictionaries = profiles.iter().flat_map(|profile| profile.all("Dictionary"));
+    let (objects, excess): (Vec<_>, Vec<_>) = dictionaries.map(dictionary::objects).unzip();
     Device {
         head: head(device),
         names: words::others(device, "Name"),
@@ -57,13 +58,14 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
         alternatives: alternatives(device),
         eeprom: device.child("Eeprom").map(eeprom),
+        picture: device.child_as("ImageData16x14", picture),
         slots: Vec::new(),
         plugged: Vec::new(),
         open_slots: Vec::new(),
         hides_mapping: false,
-        objects,
+        objects: objects.into_iter().flatten().collect(),
         messages: profiles.iter().flat_map(|profile| diagnosis::messages(profile)).collect(),
-        excess,
+        excess: excess.into_iter().flatten().next(),
     }
 }
 
@@ -252,6 +254,11 @@ fn alternative(element: &Element<'_>) -> Option<Alternative> {
         managers: element.all("Sm").filter_map(manager).collect(),
         facts: element.facts(),
     })
+}
+
+/// A picture as a description can have it.
+fn picture(text: &str) -> Option<Vec<u8>> {
+    bytes(text).filter(|bytes| bytes.starts_with(b"BM") && bytes.len() <= MOST_OF_PICTURE)
 }
 
 fn eeprom(element: &Element<'_>) -> Eeprom {

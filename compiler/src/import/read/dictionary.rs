@@ -105,9 +105,25 @@ fn object(element: &Element<'_>, types: &Types<'_, '_>) -> Option<Object> {
             composite.used.set(true);
             (object.shape, object.values) = members(composite, &own, types);
             infos(&mut object.values, info);
+            own_values(&mut object.values, composite);
         }
     }
     Some(object)
+}
+
+/// Gives each value what the member of its type says, where the object says nothing.
+fn own_values(found: &mut [Value], composite: &DataType<'_, '_>) {
+    for item in &composite.items {
+        let subindex: Option<u8> = item.child_as("SubIdx", number);
+        let Some(value) = found.iter_mut().find(|value| Some(value.subindex) == subindex) else { continue };
+        for (place, what) in
+            [(&mut value.default, "Default"), (&mut value.min, "Min"), (&mut value.max, "Max")]
+        {
+            if place.is_none() {
+                *place = datum(item, what);
+            }
+        }
+    }
 }
 
 /// A value of a type that has no members: its basic type, width and choices.

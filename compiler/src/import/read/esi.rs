@@ -58,6 +58,8 @@ pub(crate) struct Device {
     /// Choices of PDOs with names.
     pub(crate) alternatives: Vec<Alternative>,
     pub(crate) eeprom: Option<Eeprom>,
+    /// The picture that tools show, a BMP file.
+    pub(crate) picture: Option<Vec<u8>>,
     /// What the slots or axes are called, if the file says it.
     pub(crate) slots: Vec<String>,
     /// The modules that are in the slots, one for each; none if that is open.

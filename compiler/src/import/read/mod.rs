@@ -5,6 +5,7 @@ mod default_image;
 mod device;
 mod diagnosis;
 mod dictionary;
+mod doubts;
 mod eds;
 mod element;
 mod encoding;
@@ -20,6 +21,7 @@ mod words;
 
 use std::borrow::Cow;
 
+pub(super) use doubts::doubts;
 pub(super) use eds::device as sheet_device;
 pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{
@@ -79,27 +81,32 @@ pub(super) fn text(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
 pub(super) fn root(text: &str) -> Result<Element<'_>, (At, String)> {
     let root = parse::parse(text)?;
     match root.name() {
-        "EtherCATInfo" => Ok(root),
+        INFO | "EtherCATInfoList" => Ok(root),
         "EtherCATModule" => Err((root.at(), "it describes modules only, and no device".to_owned())),
-        "EtherCATInfoList" => {
-            Err((root.at(), "it is a list of several ESI files; import them one by one".to_owned()))
-        }
         other => Err((root.at(), format!("it is no ESI file: its root is `{other}`"))),
     }
 }
 
-/// What holds for the whole file.
-pub(super) fn file(root: &Element<'_>) -> Esi {
-    let vendor = root.child("Vendor");
+/// The element that a vendor describes devices in.
+const INFO: &str = "EtherCATInfo";
+
+/// What vendors describe: the root alone, or what is listed in it.
+pub(super) fn infos<'e, 't>(root: &'e Element<'t>) -> Vec<&'e Element<'t>> {
+    if root.name() == INFO { vec![root] } else { root.all(INFO).collect() }
+}
+
+/// What holds for all that a vendor describes.
+pub(super) fn file(info: &Element<'_>) -> Esi {
+    let vendor = info.child("Vendor");
     Esi {
         vendor_id: vendor.and_then(|vendor| vendor.child_as("Id", number)),
         vendor_name: vendor.and_then(|vendor| words::name(vendor, "Name")),
     }
 }
 
-/// The elements of the devices of a file.
-pub(super) fn devices<'e, 't>(root: &'e Element<'t>) -> Vec<&'e Element<'t>> {
-    let devices = root.child("Descriptions").and_then(|it| it.child("Devices"));
+/// The elements of the devices that a vendor describes.
+pub(super) fn devices<'e, 't>(info: &'e Element<'t>) -> Vec<&'e Element<'t>> {
+    let devices = info.child("Descriptions").and_then(|it| it.child("Devices"));
     devices.into_iter().flat_map(|devices| devices.all("Device")).collect()
 }
 

@@ -31,6 +31,7 @@ pub(super) fn plug<'e, 't>(
     for slot in slots.all("Slot") {
         slot.attribute("MinInstances");
         slot.attribute("MaxInstances");
+        slot.attribute_as("SlotGroup", |text| number(text).filter(|it: &u32| *it == 0));
         into.slots.extend(words::name(slot, "Name"));
         if let Some(chosen) = slot.children().iter().find(|child| is_default(child)) {
             // Those that could be there instead stay unread.

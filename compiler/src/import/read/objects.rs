@@ -1,5 +1,6 @@
 //! What a dictionary says, as plain structs: each thing with its place in the file.
 
+use std::fmt;
 use std::rc::Rc;
 
 use super::element::At;
@@ -97,4 +98,13 @@ pub(crate) enum Written {
     Number(String),
     /// Text.
     Text(String),
+}
+
+impl fmt::Display for Written {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Data(bytes) => bytes.iter().try_for_each(|byte| write!(f, "{byte:02X}")),
+            Self::Number(text) | Self::Text(text) => f.write_str(text),
+        }
+    }
 }

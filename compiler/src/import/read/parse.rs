@@ -26,6 +26,8 @@ pub(super) fn parse(text: &str) -> Result<Element<'_>, (At, String)> {
     config.allow_dangling_amp = true;
     let mut open: Vec<Element<'_>> = Vec::new();
     let mut parts = 0_usize;
+    // Where the root has the prefix of a namespace, so has what belongs to it.
+    let mut prefix = "";
     loop {
         let before = At(position(reader.buffer_position()));
         let event = reader
@@ -33,7 +35,14 @@ pub(super) fn parse(text: &str) -> Result<Element<'_>, (At, String)> {
             .map_err(|error| (At(position(reader.error_position())), error.to_string()))?;
         match event {
             Event::Start(start) => {
-                let element = element(text, &start, before)?;
+                let mut element = element(text, &start, before)?;
+                if open.is_empty() {
+                    prefix = element.name.split_once(':').map_or("", |(prefix, _)| prefix);
+                }
+                element.name = match element.name.split_once(':') {
+                    Some((own, name)) if own == prefix => name,
+                    _ => element.name,
+                };
                 parts = parts.saturating_add(1 + element.attributes.len());
                 open.push(element);
                 if open.len() > MOST_DEEP {

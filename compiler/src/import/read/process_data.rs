@@ -36,12 +36,17 @@ pub(super) fn sm(element: &Element<'_>) -> Sm {
 
 pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
     element.says_usual("OverwrittenByModule");
+    let fixed = element.attribute_as("Fixed", truth).unwrap_or(false);
+    // What is in a fixed PDO is fixed.
+    element
+        .all("Entry")
+        .for_each(|entry| _ = entry.attribute_as("Fixed", |text| truth(text).filter(|it| *it == fixed)));
     Some(Pdo {
         at: element.at(),
         index: index(element)?,
         name: words::name(element, "Name"),
         names: words::others(element, "Name"),
-        fixed: element.attribute_as("Fixed", truth).unwrap_or(false),
+        fixed,
         mandatory: element.attribute_as("Mandatory", truth).unwrap_or(false),
         sm: element.attribute_as("Sm", number),
         su: element.attribute_as("Su", number),

@@ -156,6 +156,7 @@ impl Axes {
         report: &mut Report,
     ) -> Option<Block> {
         let first = objects.iter().find(|it| it.index == 0x6040).filter(|_| self.count > 1)?;
+        let notes = report.notes.len();
         if !self.are_named {
             let why = format!("there are {}, called by letters", self.count);
             report.guess(first.at, "the names of the axes", why);
@@ -171,14 +172,7 @@ impl Axes {
         let step = (self.pdo_step != PDOS).then(|| Toml::Hex(self.pdo_step.into(), 2));
         set_some(&mut keys, "pdo-shift", step);
         set_some(&mut keys, "add-info", kind.map(|kind| Toml::Integer(kind.into())));
-        Some(Block {
-            remarks: if self.are_named {
-                Vec::new()
-            } else {
-                vec!["the file does not name the axes".to_owned()]
-            },
-            ..Block::new("axes", None, keys)
-        })
+        Some(Block { remarks: report.guessed_since(notes), ..Block::new("axes", None, keys) })
     }
 
     /// The PDOs of the first axis that all axes have, and those of the others that follow from them.

@@ -12,9 +12,9 @@ use crate::model::ids::Siblings;
 pub(super) fn configurations(
     alternatives: &[Alternative],
     carriers: &Carriers<'_>,
+    ids: &mut Siblings,
     report: &mut Report,
 ) -> Vec<Block> {
-    let mut ids = Siblings::default();
     let mut blocks = Vec::new();
     for alternative in alternatives {
         match keys(alternative, carriers) {

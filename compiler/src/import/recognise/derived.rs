@@ -128,8 +128,8 @@ fn category(entries: &[&Value], report: &mut Report) -> Option<Category> {
     let of = |value: &&Value| value.flags.category.as_deref().and_then(words::category_of);
     let first = entries.iter().find_map(of)?;
     for other in entries.iter().filter(|entry| of(entry).is_some_and(|category| category != first)) {
-        let why = "that of the first entry is taken for all";
-        report.lose(other.at, 1, "the category of an entry that follows from others", why);
+        let what = format!("the category of subindex {} of what follows from PDOs", other.subindex);
+        report.lose(other.at, 1, what, "that of the first entry is taken for all");
     }
     Some(first)
 }
@@ -143,12 +143,8 @@ fn contradictions(object: &Object, made: &Made<'_>, report: &mut Report) {
     };
     let entries = object.values.iter().filter(|value| value.subindex > 0);
     for entry in entries.clone().filter(|entry| entry.bits.is_some_and(|it| it != bits)) {
-        report.lose(
-            entry.at,
-            1,
-            "the width of a mapping or assignment object",
-            format!("it has {bits} bits"),
-        );
+        let what = format!("the width of 0x{:04X}:{:02X}", object.index, entry.subindex);
+        report.lose(entry.at, 1, what, format!("what lists PDOs or what is mapped has {bits} bits"));
     }
     if object.index < 0x1C00 || object.index >= ASSIGNMENTS {
         let count = object.values.iter().filter(|value| value.subindex == 0);
@@ -157,8 +153,8 @@ fn contradictions(object: &Object, made: &Made<'_>, report: &mut Report) {
         for (entry, value) in count.map(|count| (count, used)).chain(entries.zip(values)) {
             let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
             if stated.is_some_and(|stated| stated != value) {
-                let why = "it follows from the PDOs, which say otherwise";
-                report.lose(entry.at, 1, "the default of a mapping or assignment object", why);
+                let what = format!("a default of 0x{:04X}", object.index);
+                report.lose(entry.at, 1, what, "it follows from the PDOs, which say otherwise");
             }
         }
     }
@@ -203,7 +199,7 @@ fn window(object: &Object, report: &mut Report) -> Option<WriteWindow> {
     let windows: Vec<_> = object.values.iter().filter(is_written).map(window).collect();
     let first = windows.first().copied().flatten();
     if windows.iter().any(|window| *window != first) {
-        let what = "WriteRestrictions of an object that follows from others";
+        let what = format!("WriteRestrictions of 0x{:04X}", object.index);
         report.lose(object.at, 1, what, "not all entries have it");
         return None;
     }
@@ -217,8 +213,13 @@ fn besides(object: &Object, entries: &[&Value], all: Option<Access>, report: &mu
         for entry in entries {
             let lost = extras(entry).iter().filter(|extra| !first.contains(extra)).count();
             if lost > 0 {
-                let why = "that of the first entry is taken for all";
-                report.lose(entry.at, lost, "limits and flags of an entry that follows from others", why);
+                let what = format!("limits and flags of 0x{:04X}:{:02X}", object.index, entry.subindex);
+                report.lose(
+                    entry.at,
+                    lost,
+                    what,
+                    "what lists PDOs or what is mapped says them once, for all",
+                );
             }
         }
         keys.extend(first);

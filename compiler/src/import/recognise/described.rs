@@ -22,6 +22,8 @@ pub(super) struct Described {
     pub(super) about: Option<String>,
     pub(super) sdo_access: Option<SdoAccess>,
     pub(super) category: Option<Toml>,
+    /// What was guessed of it.
+    pub(super) remarks: Vec<String>,
     /// Its values by subindex.
     pub(super) values: Vec<Said>,
 }
@@ -34,6 +36,7 @@ pub(super) fn described(object: &Object, units: &Units, report: &mut Report) -> 
         Shape::Record => Kind::Record,
     };
     let mut values: Vec<Said> = Vec::new();
+    let notes = report.notes.len();
     for value in &object.values {
         let at = place(object.index, value.subindex, kind);
         if values.iter().any(|known| known.subindex == value.subindex) {
@@ -61,6 +64,7 @@ pub(super) fn described(object: &Object, units: &Units, report: &mut Report) -> 
             .as_deref()
             .and_then(words::category_of)
             .map(|it| Toml::text(words::category(it))),
+        remarks: report.guessed_since(notes),
         values,
     })
 }

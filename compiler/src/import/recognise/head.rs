@@ -37,13 +37,12 @@ pub(super) fn blocks(esi: &Esi, device: &Device, report: &mut Report) -> Vec<Blo
 
 fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     let mut keys = Keys::new();
-    let mut block = Block::new("device", None, Keys::new());
+    let notes = report.notes.len();
     let head = &device.head;
     let name = if head.name.is_empty() { "Device".to_owned() } else { head.name.clone() };
     let vendor = esi.vendor_name.clone().filter(|name| !name.is_empty()).unwrap_or_else(|| {
         let name = format!("Vendor 0x{:08X}", esi.vendor_id.unwrap_or(0));
         report.guess(head.at, "the vendor's name", format!("the file has none; `{name}` is taken"));
-        block.remarks.push("the file does not name its vendor".to_owned());
         name
     });
     set(&mut keys, "name", Toml::text(&name));
@@ -62,7 +61,6 @@ fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
         Some(physics) => set(&mut keys, "physics", Toml::text(physics)),
         None => {
             report.guess(head.at, "Physics", "it is missing, or says no ports; two for cables are taken");
-            block.remarks.push("the file does not say its ports".to_owned());
             set(&mut keys, "physics", Toml::text("YY"));
         }
     }
@@ -72,22 +70,20 @@ fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     }
     set_some(&mut keys, "url", device.url.as_ref().map(Toml::text));
     set_some(&mut keys, "urls", in_languages(&device.urls));
-    block.keys = keys;
-    block
+    Block { remarks: report.guessed_since(notes), ..Block::new("device", None, keys) }
 }
 
 fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
+    let notes = report.notes.len();
     let mut keys = Keys::new();
     let numbers = [
         ("vendor-id", esi.vendor_id, "the vendor id"),
         ("product-code", device.head.product_code, "the product code"),
         ("revision", Some(device.head.revision), "the revision"),
     ];
-    let mut remarks = Vec::new();
     for (name, number, what) in numbers {
         if number.is_none() {
             report.guess(device.head.at, what, "it is missing or no number; 0 is taken");
-            remarks.push(format!("the file does not give {what}"));
         }
         set(&mut keys, name, Toml::Hex(number.unwrap_or(0).into(), 8));
     }
@@ -102,5 +98,5 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
         set(&mut keys, "requested-id", Toml::Bool(true));
     }
     set_some(&mut keys, "id-address", device.id_address.map(|address| Toml::Hex(address.into(), 4)));
-    Block { remarks, ..Block::new("identity", None, keys) }
+    Block { remarks: report.guessed_since(notes), ..Block::new("identity", None, keys) }
 }

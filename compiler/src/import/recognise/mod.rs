@@ -16,6 +16,7 @@ mod family;
 mod head;
 mod literal;
 mod mailbox;
+mod modes;
 mod objects;
 mod pdos;
 mod profile;
@@ -37,6 +38,7 @@ use std::collections::BTreeSet;
 use super::read::{Device, Esi, InitCmd, Object, Pdo};
 use super::report::Report;
 use super::toml::Toml;
+use crate::model::ids::Siblings;
 use axes::Axes;
 use derived::Basis;
 use described::Described;
@@ -64,7 +66,7 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     if device.hides_mapping {
         without(&mut described, &["pdo"]);
     }
-    let mut draft = Draft { profiles, ..Draft::default() };
+    let mut draft = Draft { profiles, picture: device.picture.clone(), ..Draft::default() };
     draft.device = head::blocks(esi, device, report);
     let axes = Axes::of(&described, &device.slots, [&rx, &tx]);
     let references = References::of(&described, &known, &axes);
@@ -73,6 +75,7 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     draft.device.extend(slots::modules(device, &axes, report));
     draft.device.extend(slots::open(device, report));
     draft.device.extend(units.blocks());
+    draft.device.extend(modes::modes(&described, &axes, &known));
     for object in described.iter().filter(|object| !axes.repeats(object.index)) {
         let (mut block, without) = objects::block(object, &known, report);
         axes.complete(object.index, &mut block);
@@ -83,10 +86,11 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     draft.objects.sort_by(|one, other| one.key.cmp(&other.key));
     let carriers = clocks::Carriers { managers: &managers, pdos: [&rx, &tx] };
     draft.device.extend(clocks::sync_modes(&device.op_modes, &carriers, report));
-    draft.device.extend(choices::configurations(&device.alternatives, &carriers, report));
+    let mut ids = Siblings::default();
     let surroundings = chosen::Surroundings { references: &references, axes: &axes, basis: &basis };
     let commands: Vec<&InitCmd> = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands).collect();
-    draft.device.extend(start_up::configuration(&commands, &surroundings, report));
+    draft.device.extend(start_up::configuration(&commands, &surroundings, &mut ids, report));
+    draft.device.extend(choices::configurations(&device.alternatives, &carriers, &mut ids, report));
     draft.diagnosis = diagnosis::blocks(&device.messages, report);
     draft
 }

@@ -39,7 +39,8 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
         keys.splice(place..place, value.map(|value| (name.to_owned(), value)));
     }
     let without = without.into_iter().map(|path| format!("objects.{key}.{path}")).collect();
-    (Block::new("objects", Some(key), keys), without)
+    let remarks = object.remarks.clone();
+    (Block { remarks, ..Block::new("objects", Some(key), keys) }, without)
 }
 
 /// A single value.

@@ -81,9 +81,8 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
     let Surroundings { way, references, units, room, .. } = *surroundings;
     let mut keys = Keys::new();
     let key = format!("0x{:04X}", pdo.index);
-    let mut remarks = Vec::new();
+    let notes = report.notes.len();
     let name = pdo.name.clone().unwrap_or_else(|| {
-        remarks.push("the file gives it no name".to_owned());
         report.guess(
             pdo.at,
             format!("the name of {} {key}", way.element()),
@@ -117,7 +116,7 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
     if !excludes.is_empty() {
         set(&mut keys, "excludes", Toml::texts(excludes));
     }
-    Block { remarks, ..Block::new(way.section(), Some(key), keys) }
+    Block { remarks: report.guessed_since(notes), ..Block::new(way.section(), Some(key), keys) }
 }
 
 fn oversampling(it: Oversampling) -> Toml {

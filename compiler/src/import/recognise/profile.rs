@@ -10,28 +10,44 @@ use crate::model::{DataType, Kind};
 use crate::raw::{self, RawEntry, RawObject};
 use crate::source::{Document, Memory, Sources, load};
 
-/// The objects of profiles by index.
+/// What profiles have.
 #[derive(Debug, Default)]
-pub(super) struct Known(BTreeMap<u16, RawObject>);
+pub(super) struct Known {
+    /// Objects by index.
+    objects: BTreeMap<u16, RawObject>,
+    /// Modes of operation by code, with the bits that announce them.
+    modes: Vec<(i16, u8)>,
+}
 
 impl Known {
-    /// The objects of some profiles: a description that mentions them all, and says nothing of them, is read.
+    /// What some profiles have: a description that mentions it all, and says nothing of it, is read.
     pub(super) fn of(profiles: &[&str]) -> Self {
         let head = format!("profiles = {}\n", Toml::texts(profiles.iter().copied()).inline());
         let mut found = Self::default();
         let Some((document, _)) = read(&head) else { return found };
-        let objects = document.profile.get("objects").and_then(|objects| objects.node.table());
-        let keys = objects.into_iter().flat_map(|objects| &objects.members).map(|member| &member.key.name);
-        let mentions: String = keys.map(|key| format!("{key} = {{}}\n")).collect();
-        let Some((document, sources)) = read(&format!("{head}[objects]\n{mentions}")) else { return found };
-        let readings = raw::read(&document, "device", &sources, &mut Diagnostics::default());
-        let objects = readings.into_iter().flat_map(|reading| reading.printed.objects);
-        found.0 = objects.map(|object| (object.index.0, object)).collect();
+        let mentions = |section: &str| {
+            let all = document.profile.get(section).and_then(|all| all.node.table());
+            let keys = all.into_iter().flat_map(|all| &all.members).map(|member| &member.key.name);
+            let keys: String = keys.map(|key| format!("{key} = {{}}\n")).collect();
+            format!("[{section}]\n{keys}")
+        };
+        let text = [head, mentions("objects"), mentions("modes")].concat();
+        let Some((document, sources)) = read(&text) else { return found };
+        for reading in raw::read(&document, "device", &sources, &mut Diagnostics::default()) {
+            let modes = reading.printed.modes.iter();
+            found.modes.extend(modes.filter_map(|mode| Some((mode.code, mode.supported_bit?))));
+            found.objects.extend(reading.printed.objects.into_iter().map(|it| (it.index.0, it)));
+        }
         found
     }
 
     pub(super) fn object(&self, index: u16) -> Option<Base<'_>> {
-        self.0.get(&index).map(Base)
+        self.objects.get(&index).map(Base)
+    }
+
+    /// The modes that a device announces, by code, with the bit of 0x6502 for it.
+    pub(super) fn modes(&self) -> &[(i16, u8)] {
+        &self.modes
     }
 }
 

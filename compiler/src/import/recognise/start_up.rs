@@ -11,6 +11,7 @@ use super::draft::Block;
 use super::literal::literal;
 use super::references::References;
 use crate::model::DataType;
+use crate::model::ids::Siblings;
 
 /// The changes of the EtherCAT state at which there is a mailbox.
 const TRANSITIONS: [&str; 6] = ["IP", "PS", "SO", "OS", "SP", "OP"];
@@ -23,6 +24,7 @@ const LONGEST: usize = 8;
 pub(super) fn configuration(
     commands: &[&InitCmd],
     surroundings: &Surroundings<'_>,
+    ids: &mut Siblings,
     report: &mut Report,
 ) -> Option<Block> {
     let (derived, own): (Vec<&InitCmd>, Vec<&InitCmd>) =
@@ -46,7 +48,7 @@ pub(super) fn configuration(
     }
     let head = [("name", Toml::text("Start-up")), ("default", Toml::Bool(true))];
     let keys = head.map(|(key, value)| (key.to_owned(), value)).into_iter().chain(keys).collect();
-    Some(Block::new("configurations", Some("start-up".to_owned()), keys))
+    Some(Block::new("configurations", Some(ids.claim("start-up")), keys))
 }
 
 /// What a command writes, once for each transition; or why a description cannot say it.

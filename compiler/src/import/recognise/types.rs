@@ -109,5 +109,5 @@ fn named(name: &str) -> Option<DataType> {
         .or_else(uint)
         .or_else(text)
         .or_else(|| octets(&name))
-        .or_else(|| name.parse().ok())
+        .or_else(|| name.replace("WSTRING(", "UNICODE_STRING(").parse().ok())
 }

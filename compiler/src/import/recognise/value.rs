@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::read::{Choice, Datum, Value};
-use super::super::report::Report;
+use super::super::report::{Report, shortened};
 use super::super::toml::{Keys, Toml, set, set_some};
 use super::literal::{bits_of_real, literal};
 use super::types::data_type;
@@ -148,7 +148,9 @@ fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut
         }
         Ok(literal) => Some(literal),
         Err(why) => {
-            report.lose(datum.at, 1, format!("the {name} of {at}"), format!("as {data_type}, {why}"));
+            let written = shortened(&datum.written.to_string());
+            let why = format!("`{written}`, as {data_type}: {why}");
+            report.lose(datum.at, 1, format!("the {name} of {at}"), why);
             None
         }
     }

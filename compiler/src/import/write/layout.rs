@@ -35,7 +35,11 @@ fn section(blocks: &[Block]) -> String {
         blocks.iter().partition(|block| is_short(block) && (all_short || section_name(block) == "objects"));
     if let Some(first) = short.first() {
         text += &format!("[{}]\n", first.section);
-        text += &lines(short.iter().map(|block| (block.key.as_deref().unwrap_or_default(), inline(block))));
+        let keys = short.iter().map(|block| (block.key.as_deref().unwrap_or_default(), inline(block)));
+        for (block, line) in short.iter().zip(lines(keys)) {
+            text += &remarks(&block.remarks);
+            text += &line;
+        }
         text.push('\n');
     }
     for block in long {
@@ -49,7 +53,7 @@ fn section(blocks: &[Block]) -> String {
 fn is_short(block: &Block) -> bool {
     let Some(name) = &block.key else { return false };
     let known = ["objects", "rx-pdos", "tx-pdos", "sync-modes", "diagnosis"].contains(&section_name(block));
-    known && block.remarks.is_empty() && key(name).len() + 3 + inline(block).len() <= WIDTH
+    known && key(name).len() + 3 + inline(block).len() <= WIDTH
 }
 
 /// The name of the section without the member it is of.
@@ -58,7 +62,7 @@ fn section_name(block: &Block) -> &str {
 }
 
 /// Keys with their values, aligned.
-fn lines<'n>(keys: impl Iterator<Item = (&'n str, String)>) -> String {
+fn lines<'n>(keys: impl Iterator<Item = (&'n str, String)>) -> Vec<String> {
     let keys: Vec<(String, String)> = keys.map(|(name, value)| (key(name), value)).collect();
     let widest = keys.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     keys.iter().map(|(name, value)| format!("{name:widest$} = {value}\n")).collect()
@@ -68,17 +72,18 @@ fn inline(block: &Block) -> String {
     Toml::Table(block.keys.clone()).inline()
 }
 
+/// Comments on what was guessed.
+pub(super) fn remarks(guessed: &[String]) -> String {
+    guessed.iter().map(|words| format!("# A guess: {words}.\n")).collect()
+}
+
 /// A table with a header.
 fn table(block: &Block) -> String {
-    let mut text = String::new();
-    for remark in &block.remarks {
-        text += &format!("# A guess: {remark}.\n");
-    }
     let path = match &block.key {
         Some(name) => format!("{}.{}", block.section, key(name)),
         None => block.section.clone(),
     };
-    text + &tables(&path, &block.keys)
+    remarks(&block.remarks) + &tables(&path, &block.keys)
 }
 
 /// A table, and those within it that are too long for a line.
@@ -92,7 +97,8 @@ fn tables(path: &str, keys: &Keys) -> String {
     let mut text = String::new();
     if !own.is_empty() || inner.is_empty() {
         text += &format!("[{path}]\n");
-        text += &lines(own.iter().map(|(name, value)| (name.as_str(), laid_out(value, widest + 3))));
+        let keys = own.iter().map(|(name, value)| (name.as_str(), laid_out(value, widest + 3)));
+        text += &lines(keys).concat();
     }
     for (name, value) in inner {
         if let Toml::Table(keys) = value {

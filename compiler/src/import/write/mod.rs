@@ -1,5 +1,6 @@
 //! A description as files, laid out as the shipped ones are.
 
+mod alike;
 mod layout;
 
 use std::collections::BTreeMap;
@@ -16,7 +17,7 @@ const MOST_LINES: usize = 150;
 /// breaks.
 pub(super) fn files(draft: &Draft, format: Format, from: &str, lints: &[String]) -> BTreeMap<String, String> {
     let pdos = Section::of(&draft.pdos).text();
-    let objects = Section::of(&draft.objects).text();
+    let objects = Section::of(&alike::alike(&draft.objects, &draft.profiles)).text();
     let diagnosis = Section::of(&draft.diagnosis).text();
     let members = Section::of(&draft.members).text();
     let device = Section::of(&draft.device).text();
@@ -51,6 +52,9 @@ pub(super) fn files(draft: &Draft, format: Format, from: &str, lints: &[String])
 /// What stands before the first table.
 fn head(draft: &Draft, from: &str, included: &[&str]) -> String {
     let mut text = format!("# Imported from {from}; from now on this is the source.\n\n");
+    if !draft.remarks.is_empty() {
+        text += &(layout::remarks(&draft.remarks) + "\n");
+    }
     text += &format!("source   = {}\n", Toml::text(from).inline());
     text += &format!("profiles = {}\n", Toml::texts(draft.profiles.iter().copied()).inline());
     if !included.is_empty() {

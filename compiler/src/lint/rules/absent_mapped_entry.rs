@@ -40,7 +40,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             Some(object) => format!("{} ends at subindex {}", object.index, object.highest_subindex()),
             None => format!("there is no object {}", address.index),
         };
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, label);
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), label);
         report.push(at, diagnostic.help("describe the object, or take it out of the PDO"));
     }
 }

@@ -42,6 +42,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
                 first.insert(*code, (error.code, at));
                 continue;
             };
+            if *other == error.code {
+                continue;
+            }
             let message = format!("vendor code {code} stands for 0x{other:04X} and 0x{:04X}", error.code);
             let diagnostic = Diagnostic::new(&RULE, message, at, format!("for 0x{:04X} here", error.code))
                 .label(*place, format!("for 0x{other:04X} here"));

@@ -41,7 +41,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let message = format!("`{}` is nothing that a channel of ROS 2 holds", mapped.name);
-        report.push(place, Diagnostic::new(&RULE, message, mapped.at, "cannot be reached in ROS 2"));
+        report.push(
+            place,
+            Diagnostic::new(&RULE, message, mapped.origin.header(), "cannot be reached in ROS 2"),
+        );
     }
 }
 

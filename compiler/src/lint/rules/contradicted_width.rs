@@ -42,7 +42,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         }
         let name = lookup::name(object, entry);
         let message = format!("{} maps {name} with {says} bits, but it has {holds}", pdo.index);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{says} bits"))
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), format!("{says} bits"))
             .label(entry.origin.value("type"), format!("{} has {holds}", entry.data_type));
         report.push(at, diagnostic);
     }

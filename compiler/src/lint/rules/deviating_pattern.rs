@@ -7,7 +7,7 @@ rule! {
     /// Masters decode the statusword and make the controlword by the patterns of the profile. If no word fits both
     /// those and the device's, a master misreads the state, or its command does something else.
     ///
-    /// Patterns that are only looser or stricter than the profile's are no fault.
+    /// Patterns that are only looser than the profile's are no fault; stricter ones are for `overstrict-pattern`.
     ///
     /// ## Fires
     /// ```toml

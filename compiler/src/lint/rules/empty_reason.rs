@@ -29,10 +29,7 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for assumption in device.assumptions.iter().filter(|it| it.reason.trim().is_empty()) {
         let message = format!("{} is assumed, but no reason is given", assumption.at);
-        let key = assumption.at.path.as_deref().unwrap_or_default();
-        let path = format!("assumed.{}", key.rsplit('.').next().unwrap_or_default());
-        let at = if assumption.origin.has(&path) { &*path } else { "assumed" };
-        let diagnostic = Diagnostic::new(&RULE, message, assumption.origin.value(at), "no reason");
+        let diagnostic = Diagnostic::new(&RULE, message, assumption.reason_at(), "no reason");
         report.push(assumption.at.clone(), diagnostic.help("say what makes it likely"));
     }
     for (i, erratum) in device.errata.iter().enumerate() {

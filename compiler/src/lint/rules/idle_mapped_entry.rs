@@ -45,9 +45,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let name = lookup::name(object, entry);
         let message = format!("{} carries {name}, which is without function", pdo.index);
         let bits = mapped.bits;
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{bits} bits in every cycle"))
-            .label(entry.origin.value("functional"), "says that it does nothing")
-            .help("take it out of the PDO, unless the device has it there by default");
+        let diagnostic =
+            Diagnostic::new(&RULE, message, mapped.origin.header(), format!("{bits} bits in every cycle"))
+                .label(entry.origin.value("functional"), "says that it does nothing")
+                .help("take it out of the PDO, unless the device has it there by default");
         report.push(at, diagnostic);
     }
 }

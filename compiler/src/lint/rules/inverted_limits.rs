@@ -1,7 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Entry, Place, Value};
-use crate::source::Location;
+use crate::model::{Device, Entry, Place, Section, Value};
+use crate::source::{Location, Origin};
 
 rule! {
     /// A least value above the greatest one leaves no value at all. The same holds for the standard objects that
@@ -38,6 +38,11 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let greatest = Limit::new(entry, entry.max.as_ref(), "max");
         judge(least, greatest, &lookup::name(object, entry), report);
     }
+    for parameter in &device.parameters {
+        let limit = |value, key| Limit::of(&parameter.origin, value, key);
+        let (least, greatest) = (limit(parameter.min.as_ref(), "min"), limit(parameter.max.as_ref(), "max"));
+        judge(least, greatest, &Section::Parameters.at(&parameter.id), report);
+    }
     for object in lookup::on_axes(device, 0x607B).chain(lookup::on_axes(device, 0x607D)) {
         let limit = |subindex| {
             let entry = object.entry(subindex)?;
@@ -55,7 +60,11 @@ struct Limit<'v> {
 
 impl<'v> Limit<'v> {
     fn new(entry: &Entry, value: Option<&'v Value>, key: &str) -> Option<Self> {
-        Some(Self { value: value?, at: entry.origin.value(key) })
+        Self::of(&entry.origin, value, key)
+    }
+
+    fn of(origin: &Origin, value: Option<&'v Value>, key: &str) -> Option<Self> {
+        Some(Self { value: value?, at: origin.value(key) })
     }
 }
 

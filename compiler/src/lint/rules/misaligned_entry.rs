@@ -51,7 +51,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         }
         let message = format!("`{}` begins at bit {} of {}", mapped.name, mapped.offset, pdo.index);
         let label = format!("{} bits, {over} behind the last byte", mapped.bits);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, label);
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), label);
         report
             .push(at, diagnostic.help(format!("put `{{ bits = {} }}` in front of it as padding", 8 - over)));
     }

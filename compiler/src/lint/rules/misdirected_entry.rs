@@ -44,7 +44,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             Direction::Tx => "the device sends",
         };
         let message = format!("{} maps {name}, which is {why}", pdo.index);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{who} it here"))
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), format!("{who} it here"))
             .label(entry.origin.value(key), why);
         report.push(at, diagnostic);
     }

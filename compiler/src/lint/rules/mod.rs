@@ -3,17 +3,21 @@
 //! The modules are declared one by one, not by the macro, so that tools which read the code find them.
 
 mod absent_mapped_entry;
+mod ambiguous_choice;
 mod ambiguous_name;
+mod ambiguous_pattern;
 mod ambiguous_pdo_name;
 mod ambiguous_scaling;
 mod ambiguous_value_name;
 mod ambiguous_vendor_code;
+mod blank_text;
 pub(crate) mod channelless_value;
 pub(crate) mod clashing_identifier;
 mod code_in_range;
 mod commanded_automatic_transition;
 mod contradicted_activation;
 mod contradicted_assignment;
+mod contradicted_change;
 pub(crate) mod contradicted_config_data;
 mod contradicted_control;
 mod contradicted_count;
@@ -47,9 +51,11 @@ mod excluded_assignment;
 pub(crate) mod foreign_protocol;
 pub(crate) mod foreign_state;
 mod hidden_command;
+mod idle_assumption;
 mod idle_enumeration;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
+pub(super) mod idle_remark;
 mod idle_unit;
 mod idle_write_window;
 pub(crate) mod impossible_boot_mailbox;
@@ -78,10 +84,14 @@ mod odd_count_type;
 mod one_sided_exclusion;
 mod opposed_switch;
 mod overfull_assignment;
+mod overlapping_areas;
 mod overlapping_bits;
+mod overlapping_bytes;
 mod overlapping_groups;
+mod overlapping_registers;
 mod overlapping_states;
 mod overlapping_sync_managers;
+mod overlapping_values;
 pub(crate) mod overlong_mode_code;
 pub(crate) mod overlong_name;
 pub(crate) mod overlong_pin;
@@ -89,6 +99,7 @@ pub(crate) mod overlong_value;
 mod overruled_statement;
 mod oversized_pdo;
 pub(crate) mod oversized_write;
+mod overstrict_pattern;
 mod overwide_entry;
 mod patternless_state;
 pub(crate) mod pinless_value;
@@ -96,16 +107,22 @@ mod placeholder_identity;
 mod pointless_exclusion;
 mod portless_current;
 mod refused_choice;
+mod refused_step;
 mod renamed_entry;
 mod repeated_alias;
 mod repeated_assignment;
+mod repeated_change;
 mod repeated_default;
 mod repeated_error;
+mod repeated_item;
+mod repeated_limit;
 mod repeated_mailbox;
 mod repeated_mapping;
+mod repeated_write;
 pub(crate) mod replaced_revision;
 mod reserved_index;
 pub(crate) mod several_edges;
+mod shared_number;
 mod stray_profile_object;
 mod subindex_gap;
 pub(crate) mod surplus_sync_manager;
@@ -114,6 +131,7 @@ mod unassigned_mapping;
 pub(crate) mod uncontrolled_axis;
 pub(crate) mod uncopied_value;
 mod undefined_default;
+mod undefined_write;
 pub(crate) mod undersized_eeprom;
 mod undersized_sync_manager;
 mod understated_axes;
@@ -124,6 +142,7 @@ mod unknown_homing_method;
 pub(super) mod unknown_rule;
 pub(crate) mod unlike_slots;
 mod unlistable_mode;
+mod unlisted_vendor_code;
 mod unmappable_entry;
 mod unmapped_mode;
 mod unmapped_set_value;
@@ -162,31 +181,35 @@ macro_rules! lints {
 }
 
 lints! {
-    absent_mapped_entry, ambiguous_name, ambiguous_pdo_name, ambiguous_scaling, ambiguous_value_name,
-    ambiguous_vendor_code, channelless_value, clashing_identifier, code_in_range,
-    commanded_automatic_transition, contradicted_activation, contradicted_assignment,
-    contradicted_config_data, contradicted_control, contradicted_count, contradicted_default,
-    contradicted_edge, contradicted_group, contradicted_identity, contradicted_modes, contradicted_notation,
-    contradicted_period, contradicted_profile, contradicted_quantity, contradicted_role, contradicted_size, contradicted_slots,
-    contradicted_sync_types, contradicted_total, contradicted_width, deviating_access, deviating_kind,
-    deviating_mapping, deviating_pattern, deviating_transition, deviating_type, differing_axis, disguised_choice, empty_limits,
+    absent_mapped_entry, ambiguous_choice, ambiguous_name, ambiguous_pattern, ambiguous_pdo_name,
+    ambiguous_scaling, ambiguous_value_name, ambiguous_vendor_code, blank_text, channelless_value,
+    clashing_identifier, code_in_range, commanded_automatic_transition, contradicted_activation,
+    contradicted_assignment, contradicted_change, contradicted_config_data, contradicted_control,
+    contradicted_count, contradicted_default, contradicted_edge, contradicted_group, contradicted_identity,
+    contradicted_modes, contradicted_notation, contradicted_period, contradicted_profile,
+    contradicted_quantity, contradicted_role, contradicted_size, contradicted_slots, contradicted_sync_types,
+    contradicted_total, contradicted_width, deviating_access, deviating_kind, deviating_mapping,
+    deviating_pattern, deviating_transition, deviating_type, differing_axis, disguised_choice, empty_limits,
     empty_name, empty_reason, excluded_assignment, foreign_protocol, foreign_state, hidden_command,
-    idle_enumeration, idle_erratum, idle_mapped_entry, idle_unit, idle_write_window, impossible_boot_mailbox,
-    impossible_eeprom_size, incomplete_timeouts, indistinct_bit, indistinct_members, inverted_limits,
-    manufacturer_bit, meaningful_reserved_bit, misaligned_entry, misclassified_error, misdirected_entry,
-    misordered_sync_managers, misplaced_pdo, misplaced_sync_manager, missing_config_data, missing_group,
-    missing_mandatory_pdo, missing_object, missing_sync_manager, missing_transition, misspelt_name,
-    mixed_vendors, odd_count_type, one_sided_exclusion, opposed_switch, overfull_assignment, overlapping_bits,
-    overlapping_groups, overlapping_states, overlapping_sync_managers, overlong_mode_code, overlong_name,
-    overlong_pin, overlong_value, overruled_statement, oversized_pdo, oversized_write, overwide_entry,
-    patternless_state, pinless_value, placeholder_identity, pointless_exclusion, portless_current,
-    refused_choice, renamed_entry, repeated_alias, repeated_assignment, repeated_default, repeated_error,
-    repeated_mailbox, repeated_mapping, replaced_revision, reserved_index, several_edges,
-    stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value, unassigned_mapping, uncontrolled_axis,
-    uncopied_value, undefined_default, undersized_eeprom, undersized_sync_manager, understated_axes,
-    uneven_slots, unexpected_mode_bit, unfit_image, unknown_homing_method, unknown_rule, unlike_slots,
-    unlistable_mode, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group,
-    unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition,
+    idle_assumption, idle_enumeration, idle_erratum, idle_mapped_entry, idle_remark, idle_unit,
+    idle_write_window, impossible_boot_mailbox, impossible_eeprom_size, incomplete_timeouts, indistinct_bit,
+    indistinct_members, inverted_limits, manufacturer_bit, meaningful_reserved_bit, misaligned_entry,
+    misclassified_error, misdirected_entry, misordered_sync_managers, misplaced_pdo, misplaced_sync_manager,
+    missing_config_data, missing_group, missing_mandatory_pdo, missing_object, missing_sync_manager,
+    missing_transition, misspelt_name, mixed_vendors, odd_count_type, one_sided_exclusion, opposed_switch,
+    overfull_assignment, overlapping_areas, overlapping_bits, overlapping_bytes, overlapping_groups,
+    overlapping_registers, overlapping_states, overlapping_sync_managers, overlapping_values,
+    overlong_mode_code, overlong_name, overlong_pin, overlong_value, overruled_statement, oversized_pdo,
+    oversized_write, overstrict_pattern, overwide_entry, patternless_state, pinless_value, placeholder_identity,
+    pointless_exclusion, portless_current, refused_choice, refused_step, renamed_entry, repeated_alias,
+    repeated_assignment, repeated_change, repeated_default, repeated_error, repeated_item, repeated_limit,
+    repeated_mailbox, repeated_mapping, repeated_write, replaced_revision, reserved_index, several_edges,
+    shared_number, stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value,
+    unassigned_mapping, uncontrolled_axis, uncopied_value, undefined_default, undefined_write,
+    undersized_eeprom, undersized_sync_manager, understated_axes, uneven_slots, unexpected_mode_bit,
+    unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_vendor_code,
+    unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group, unplaced_object,
+    unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition,
     unrepresentable_cycle_time, unrepresentable_value, unrestorable_value, unscaled_axis, unsized_string,
     unslotted_axis, unsourced_fact, unspellable_text, unspoken_ability, unsupported_configuration_mode,
     unsupported_cycle_mode, unsupported_cycle_time, unsupported_pdo_mode, unsupported_transition,

@@ -47,7 +47,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let message = format!("a pin for `{}` has {length} characters; {LONGEST} fit", mapped.name);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "is cut in LinuxCNC");
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), "is cut in LinuxCNC");
         report.push(place, diagnostic.help("give the object a shorter `id`"));
     }
 }

@@ -35,9 +35,10 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (pdo, at, mapped) in lookup::mapped(device).filter(|(.., mapped)| mapped.bits > 255) {
         let message = format!("{} maps `{}` with {} bits", pdo.index, mapped.name, mapped.bits);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{} bits", mapped.bits))
-            .note("ETG.1000.6 has 8 bits for the width in a mapping object")
-            .help("take it out of the PDO: a text travels in SDOs");
+        let diagnostic =
+            Diagnostic::new(&RULE, message, mapped.origin.header(), format!("{} bits", mapped.bits))
+                .note("ETG.1000.6 has 8 bits for the width in a mapping object")
+                .help("take it out of the PDO: a text travels in SDOs");
         report.push(at, diagnostic);
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let message = format!("`{}` has {} bits, and no pin holds it", mapped.name, mapped.bits);
-        report.push(place, Diagnostic::new(&RULE, message, mapped.at, "has no pin in LinuxCNC"));
+        report.push(place, Diagnostic::new(&RULE, message, mapped.origin.header(), "has no pin in LinuxCNC"));
     }
 }
 

@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::refusal::refusal;
 use crate::lint::{Report, lookup};
-use crate::model::{ChosenWrite, Configuration, Device, Direction, Entry, Index, Role, Section, WriteWindow};
+use crate::model::{ChosenWrite, Configuration, Device, Direction, Entry, Index, Role, Section};
 use crate::source::Location;
 
 rule! {
@@ -188,33 +189,10 @@ fn writes<'d>(
     configuration.writes.iter().enumerate().filter_map(|(i, chosen)| {
         let ChosenWrite { value, write, at } = chosen;
         let entry = device.entry(write.address)?;
-        let (key, why) = if !entry.access.writable() {
-            ("access", "cannot be written".to_owned())
-        } else if let Some(window) = entry.written.filter(|window| !is_open(*window, &write.transition)) {
-            ("written", format!("is written in {} only", window.name()))
-        } else if entry.max.as_ref().is_some_and(|max| lookup::above(value, max)) {
-            ("max", "is too large".to_owned())
-        } else if entry.min.as_ref().is_some_and(|min| lookup::above(min, value)) {
-            ("min", "is too small".to_owned())
-        } else {
-            return None;
-        };
-        let message = format!(
-            "{value} is written to {} at {}, which the device refuses",
-            write.address, write.transition
-        );
+        let refusal = refusal(entry, value, Some(&write.transition))?;
+        let (address, transition) = (write.address, &write.transition);
+        let message = format!("{value} is written to {address} at {transition}, which {}", refusal.comes);
         let diagnostic = Diagnostic::new(&RULE, message, *at, "written here");
-        Some((i, diagnostic.label(entry.origin.value(key), why)))
+        Some((i, diagnostic.label(entry.origin.value(refusal.key), refusal.why)))
     })
-}
-
-/// Whether an entry is written in the state that a change begins with, where the mailbox is there; that is Pre-Operational
-/// on the way from Init.
-fn is_open(window: WriteWindow, transition: &str) -> bool {
-    let [pre_operational, safe_operational, operational] = window.states();
-    match transition.chars().next() {
-        Some('S') => safe_operational,
-        Some('O') => operational,
-        _ => pre_operational,
-    }
 }

@@ -44,7 +44,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message =
             format!("{} calls {name} `{}`, the dictionary `{}`", pdo.index, mapped.name, entry.name);
         let label = "the name in the dictionary";
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "another name")
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), "another name")
             .label(entry.origin.value("name"), label);
         report.push(at, diagnostic);
     }

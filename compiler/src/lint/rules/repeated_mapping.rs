@@ -53,7 +53,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         for (pdo, at, mapped) in image.mapped() {
             let Some(address) = mapped.address else { continue };
             let Some((other, place)) = first.get(&address) else {
-                first.insert(address, (pdo.index, mapped.at));
+                first.insert(address, (pdo.index, mapped.origin.header()));
                 continue;
             };
             let when = match image.configuration {
@@ -64,7 +64,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
                 true => format!("{address} is twice in {other}"),
                 false => format!("{address} is in {other} and in {}, {when}", pdo.index),
             };
-            let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "again here");
+            let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), "again here");
             report.push(at, diagnostic.label(*place, "first here"));
         }
     }

@@ -43,7 +43,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let message = format!("`{}` has {} bits from bit {} on", mapped.name, mapped.bits, mapped.offset);
-        report.push(place, Diagnostic::new(&RULE, message, mapped.at, "is bytes in Structured Text"));
+        report.push(
+            place,
+            Diagnostic::new(&RULE, message, mapped.origin.header(), "is bytes in Structured Text"),
+        );
     }
 }
 

@@ -42,7 +42,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let message = format!("`{}` is nothing that SOES copies", mapped.name);
-        report.push(place, Diagnostic::new(&RULE, message, mapped.at, "stays zero in process data"));
+        report.push(
+            place,
+            Diagnostic::new(&RULE, message, mapped.origin.header(), "stays zero in process data"),
+        );
     }
 }
 

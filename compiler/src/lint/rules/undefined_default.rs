@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Entry};
+use crate::model::Device;
 
 rule! {
     /// Where each value of an object has a meaning, the default should have one, too; else a reader of a device
@@ -33,7 +33,7 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
         let Some(default) = entry.default.as_ref().and_then(|default| default.integer()) else { continue };
-        let Some((first, last)) = complete(entry) else { continue };
+        let Some((first, last)) = lookup::all_values(entry) else { continue };
         if (first..=last).contains(&default) {
             continue;
         }
@@ -44,12 +44,4 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             .help("say what it means, or correct it");
         report.push(name, diagnostic);
     }
-}
-
-/// The first and the last value if those in between all have a meaning.
-fn complete(entry: &Entry) -> Option<(i128, i128)> {
-    let values = &entry.values;
-    let (first, last) = (i128::from(values.first()?.value), i128::from(values.last()?.value));
-    let dense = i128::try_from(values.len()) == Ok(last - first + 1);
-    (dense && values.len() > 1 && entry.unit.is_none()).then_some((first, last))
 }

@@ -69,7 +69,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             if let Some(address) = mapped.address.filter(|address| foreign(address.index).is_some()) {
                 let message =
                     format!("{} carries {address}, which is in the slot of another axis", pdo.index);
-                report.push(pdo.index, Diagnostic::new(&RULE, message, mapped.at, "of another axis"));
+                report.push(
+                    pdo.index,
+                    Diagnostic::new(&RULE, message, mapped.origin.header(), "of another axis"),
+                );
             }
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         }
         let name = lookup::name(object, entry);
         let message = format!("{} maps {name}, which cannot be mapped", pdo.index);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "mapped here");
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), "mapped here");
         let is_offered = entry
             .origin
             .node("pdo")

@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Entry, Object};
+use crate::model::{Device, Place, Section, Value};
+use crate::source::Origin;
 
 rule! {
     /// A default outside the limits is a value that nobody could write: either it or a limit is wrong.
@@ -30,20 +31,23 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
-        if let Some(diagnostic) = judge(object, entry) {
-            report.push(lookup::name(object, entry), diagnostic);
-        }
+        let values = [&entry.default, &entry.min, &entry.max].map(Option::as_ref);
+        judge(values, &entry.origin, lookup::name(object, entry), report);
+    }
+    for parameter in &device.parameters {
+        let values = [&parameter.default, &parameter.min, &parameter.max].map(Option::as_ref);
+        judge(values, &parameter.origin, Section::Parameters.at(&parameter.id), report);
     }
 }
 
-fn judge(object: &Object, entry: &Entry) -> Option<Diagnostic> {
-    let default = entry.default.as_ref()?;
-    let low = entry.min.as_ref().filter(|min| lookup::above(min, default)).map(|min| (min, "below", "min"));
-    let high = entry.max.as_ref().filter(|max| lookup::above(default, max)).map(|max| (max, "above", "max"));
-    let (limit, side, key) = low.or(high)?;
-    let name = lookup::name(object, entry);
+/// Judges a default by the least and the greatest value.
+fn judge(values: [Option<&Value>; 3], origin: &Origin, name: Place, report: &mut Report) {
+    let [Some(default), min, max] = values else { return };
+    let low = min.filter(|min| lookup::above(min, default)).map(|min| (min, "below", "min"));
+    let high = max.filter(|max| lookup::above(default, max)).map(|max| (max, "above", "max"));
+    let Some((limit, side, key)) = low.or(high) else { return };
     let message = format!("{name} is {default} by default, {side} its limit {limit}");
-    let at = entry.origin.value("default");
+    let at = origin.value("default");
     let diagnostic = Diagnostic::new(&RULE, message, at, format!("{side} {limit}"));
-    Some(diagnostic.label(entry.origin.value(key), "the limit"))
+    report.push(name, diagnostic.label(origin.value(key), "the limit"));
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Section};
+use crate::model::{DataType, Device, Section};
 
 rule! {
     /// A value that has a meaning but does not fit the type is never seen. Either the type is too narrow or has
@@ -27,6 +27,16 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
+        let is_text =
+            matches!(entry.data_type, DataType::Text(_) | DataType::Unicode(_) | DataType::Octets(_));
+        if let Some(meaning) = entry.values.first().filter(|_| is_text) {
+            let name = lookup::name(object, entry);
+            let message = format!("{name} is never {}: {} holds no numbers", meaning.value, entry.data_type);
+            let at = entry.origin.value("values");
+            let diagnostic = Diagnostic::new(&RULE, message, at, "the values of numbers")
+                .label(entry.origin.value("type"), "the type");
+            report.push(name, diagnostic);
+        }
         let Some((low, high)) = entry.data_type.range() else { continue };
         let outside = |value: &i64| !(low..=high).contains(&i128::from(*value));
         let Some(value) = entry.values.iter().map(|meaning| meaning.value).find(outside) else { continue };

@@ -25,7 +25,7 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (pdo, at, mapped) in lookup::mapped(device).filter(|(.., mapped)| mapped.bits == 0) {
         let message = format!("{} carries `{}` with no bits", pdo.index, mapped.name);
-        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "0 bits");
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), "0 bits");
         report.push(at, diagnostic.help("give it a width in `bits`, or take it out"));
     }
 }

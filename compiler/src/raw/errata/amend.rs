@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Step;
+use super::{Step, quote};
+use crate::raw::compose::forget;
 use crate::source::{Layer, Member, Members, Node, Table, Value};
 
 /// Lays `holds` over what stands at a path, in place of what `says` quotes there; without it, marks what is quoted.
@@ -17,14 +18,16 @@ pub(super) fn amend(tree: &mut Table, path: &[Step], says: &Node, holds: Option<
         Value::Table(table) => amend(Arc::make_mut(table), rest, says, holds, layer),
         Value::Array(items) => {
             let mut list = items.to_vec();
+            let mut is_marked = false;
             if let Some((Step::Item(place), rest)) = rest.split_first()
                 && let Some(item) = list.get_mut(*place)
             {
                 item_amended(item, rest, says, holds, layer);
+                is_marked = item.table().is_some();
             }
             *items = list.into();
-            // What stands in a list has no mark of its own.
-            if !rest.iter().any(|step| matches!(step, Step::Key(_))) {
+            // A value in a list has no mark of its own.
+            if !is_marked {
                 member.layer = layer;
             }
         }
@@ -33,12 +36,22 @@ pub(super) fn amend(tree: &mut Table, path: &[Step], says: &Node, holds: Option<
 }
 
 fn item_amended(item: &mut Node, rest: &[Step], says: &Node, holds: Option<&Node>, layer: Layer) {
+    if let Some(table) = spelt_out(item, says).filter(|_| rest.is_empty()) {
+        item.value = Value::Table(Arc::new(table));
+    }
     match (&mut item.value, holds) {
         (Value::Table(table), _) if !rest.is_empty() => amend(Arc::make_mut(table), rest, says, holds, layer),
         (Value::Table(table), _) => laid(Arc::make_mut(table), says, holds, layer),
         (_, Some(holds)) => *item = holds.clone(),
         (_, None) => {}
     }
+}
+
+/// The table that a text stands for, if an erratum quotes keys of that.
+fn spelt_out(item: &Node, says: &Node) -> Option<Table> {
+    let word = quote::word(says.table().filter(|_| item.table().is_none())?)?;
+    let only = Member { node: item.clone(), layer: Layer::Description, under: None, ..word.clone() };
+    Some(Table { at: item.at, members: vec![only].into() })
 }
 
 /// A key with what holds for it.
@@ -69,9 +82,9 @@ fn laid(table: &mut Table, says: &Node, holds: Option<&Node>, layer: Layer) {
         }
         return;
     };
-    table
-        .members
-        .retain(|member| says.get(&member.key.name).is_none() || held.get(&member.key.name).is_some());
+    let is_gone = |key: &str| says.get(key).is_some() && held.get(key).is_none();
+    table.members.take_away(layer, |member| is_gone(&member.key.name));
+    says.members.iter().filter(|it| is_gone(&it.key.name)).for_each(|it| forget(table, &it.key.name));
     for new in &held.members {
         let quoted = says.get(&new.key.name).map_or(&new.node, |quoted| &quoted.node);
         match table.position(&new.key.name).and_then(|place| table.members.get_mut(place)) {

@@ -3,7 +3,7 @@
 use super::{Step, at};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::Erratum;
-use crate::source::{Node, Table, Value};
+use crate::source::{Member, Node, Table, Value};
 
 /// What is wrong with what an erratum says and holds, if something is.
 pub(super) fn fault(
@@ -36,6 +36,11 @@ pub(super) fn fault(
     None
 }
 
+/// The key for which a text alone can stand, of those that are quoted.
+pub(super) fn word(says: &Table) -> Option<&Member> {
+    ["name", "entry"].into_iter().find_map(|key| says.get(key))
+}
+
 /// What is quoted otherwise than it is written: the quoted value, and the written one if there is one.
 fn misquoted<'n>(written: &'n Node, says: &'n Node) -> Option<(&'n Node, Option<&'n Node>)> {
     match (&says.value, &written.value) {
@@ -47,7 +52,7 @@ fn misquoted<'n>(written: &'n Node, says: &'n Node) -> Option<(&'n Node, Option<
         }
         // A text may stand for a table of which it is the name or the entry.
         (Value::Table(says), Value::String(_)) => {
-            let word = ["name", "entry"].into_iter().find_map(|key| says.get(key));
+            let word = word(says);
             says.members
                 .iter()
                 .find(|member| Some(*member) != word || !same(&member.node, written))

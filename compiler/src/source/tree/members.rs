@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 use std::ops::Deref;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use std::{slice, vec};
 
-use super::{CanonicalKey, Member, Node, Value};
+use super::{CanonicalKey, Layer, Member, Node, Value};
 use crate::source::keys::range;
 
 /// Tables up to this size are searched from the front, which is faster and needs no memory.
@@ -15,6 +15,8 @@ const FEW: usize = 8;
 #[derive(Debug, Default)]
 pub struct Members {
     list: Vec<Member>,
+    /// The keys that were taken out because they do not hold, and who says so.
+    gone: Vec<(Arc<str>, Layer)>,
     /// The places of the members by key, made when a large table is asked for the first time; what changes the list
     /// forgets it.
     by_key: OnceLock<Box<[usize]>>,
@@ -50,6 +52,26 @@ impl Members {
     /// Adds a member behind all others.
     pub fn push(&mut self, member: Member) {
         self.changed().push(member);
+    }
+
+    /// Takes out the members that are not wanted, since they do not hold; who says so is `layer`.
+    pub fn take_away(&mut self, layer: Layer, unwanted: impl Fn(&Member) -> bool) {
+        let gone = self.list.iter().filter(|member| unwanted(member));
+        let gone: Vec<_> = gone.map(|member| (Arc::clone(&member.key.name), layer)).collect();
+        self.gone.extend(gone);
+        self.retain(|member| !unwanted(member));
+    }
+
+    /// The keys that were taken out because they do not hold, each with who says so.
+    pub fn gone(&self) -> &[(Arc<str>, Layer)] {
+        &self.gone
+    }
+
+    /// These members, with what was taken out of others.
+    #[must_use]
+    pub(super) fn without_those_of(mut self, others: &Self) -> Self {
+        self.gone.extend(others.gone.iter().cloned());
+        self
     }
 
     /// Takes a member out by its place.
@@ -120,19 +142,19 @@ impl Deref for Members {
 
 impl Clone for Members {
     fn clone(&self) -> Self {
-        self.list.clone().into()
+        Self { gone: self.gone.clone(), ..self.list.clone().into() }
     }
 }
 
 impl PartialEq for Members {
     fn eq(&self, other: &Self) -> bool {
-        self.list == other.list
+        self.list == other.list && self.gone == other.gone
     }
 }
 
 impl From<Vec<Member>> for Members {
     fn from(list: Vec<Member>) -> Self {
-        Self { list, by_key: OnceLock::new(), weight: OnceLock::new() }
+        Self { list, ..Self::default() }
     }
 }
 

@@ -85,7 +85,8 @@ impl Homing {
         self.progress = HomingProgress::Starting;
     }
 
-    /// Ends homing, at whatever point: the start bit falls, on which the drive stops (CiA 402, homing mode).
+    /// Ends homing, at whatever point: the start bit falls, on which a drive that keeps to the profile stops (CiA 402,
+    /// homing mode). Its manual may say otherwise: where the bit only starts the run, another command has to stop it.
     pub const fn abort(&mut self) {
         if self.progress.is_active() {
             self.progress = HomingProgress::Interrupted;

@@ -22,8 +22,9 @@ pub(crate) const MACHINE: Machine = Machine {
     },
 };
 
-/// But for two rows as printed: the manual has the same pattern for the first two states, which CiA 402 tells apart by
-/// bit 6; and it prints Quick stop active without bit 2, which the profile sets, so that either is taken.
+/// But for three rows as printed: the manual has the same pattern for the first two states, which CiA 402 tells apart by
+/// bit 6; it prints Quick stop active without bit 2, which the profile sets, so that either is taken; and it prints Fault
+/// with bit 5, which it shows only after a rising edge of bit 2 of the controlword, so that either is taken.
 const STATES: StatePatterns = StatePatterns(&[
     (NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
     (SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -32,7 +33,7 @@ const STATES: StatePatterns = StatePatterns(&[
     (OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
     (QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
     (FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-    (Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    (Fault, Pattern { mask: 0x004F, value: 0x0008 }),
 ]);
 
 /// The profile's own, of transitions that the drive makes by itself: the manual names no events, and after a quick stop

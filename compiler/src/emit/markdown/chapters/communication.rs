@@ -115,7 +115,7 @@ fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
         "Control",
         "On",
         "PDOs by default",
-        "Slots",
+        "PDOs at most",
         "Source",
     ];
     Table::of(titles, managers, |manager| {

@@ -35,13 +35,15 @@ fn by_number(context: &Context<'_>) -> Table {
     })
 }
 
-/// What a number is sorted by: its letters, and then what it counts, so that A29 stands before A180.
-fn key(number: &str) -> (&str, u32, &str) {
+/// What a number is sorted by: its letters, and then what it counts, so that A29 stands before A180, and A619[2] before
+/// A619[10].
+fn key(number: &str) -> (&str, u32, Option<u32>, &str) {
     let letters = number.find(|c: char| c.is_ascii_digit()).unwrap_or(number.len());
     let (group, rest) = number.split_at(letters);
     let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
     let (line, element) = rest.split_at(digits);
-    (group, line.parse().unwrap_or(u32::MAX), element)
+    let index = element.trim_matches(['[', ']']).parse().ok();
+    (group, line.parse().unwrap_or(u32::MAX), index, element)
 }
 
 /// The formula, with a worked example of the first group that has a number.

@@ -60,7 +60,7 @@ fn facts(context: &Context<'_>, head: &Head<'_>) -> Table {
         ("Ports", ports(head.physics)),
         ("E-bus", head.ebus_current.map_or(String::new(), current)),
         ("Commands", if head.no_lrw { "LRD and LWR, no LRW".to_owned() } else { String::new() }),
-        ("EEPROM", memory(head.eeprom)),
+        ("EEPROM", memory(context, head.eeprom)),
         ("Web page", addresses(head)),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
@@ -106,17 +106,20 @@ fn ports(physics: &str) -> String {
     list(ports.enumerate().map(|(number, port)| format!("{number}: {port}")))
 }
 
-fn memory(eeprom: &Eeprom) -> String {
-    let Eeprom { size, config_data, bootstrap: _, source: _, origin: _ } = eeprom;
+fn memory(context: &Context<'_>, eeprom: &Eeprom) -> String {
+    let Eeprom { size, config_data, bootstrap: _, source: _, origin } = eeprom;
+    let mark = |key| context.mark(origin, key);
     let config: Vec<String> = config_data.0.iter().map(|byte| format!("{byte:02X}")).collect();
     let begin =
         if config.is_empty() { String::new() } else { format!(", begins with {}", code(config.join(" "))) };
+    let begin = if begin.is_empty() { begin } else { begin + &mark("config-data") };
     let area =
         |(address, size): (u16, u16)| format!("{} bytes at {}", size, code(format!("0x{address:04X}")));
     let boot = eeprom.boot_mailbox().map(|areas| areas.map(area));
-    let boot =
-        boot.map_or(String::new(), |[out, into]| format!(", mailbox in Bootstrap: {out} out, {into} in"));
-    format!("{}{begin}{boot}", bytes(*size))
+    let boot = boot.map_or(String::new(), |[out, into]| {
+        format!(", mailbox in Bootstrap: {out} out, {into} in") + &mark("bootstrap")
+    });
+    format!("{}{}{begin}{boot}", bytes(*size), mark("size"))
 }
 
 fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {

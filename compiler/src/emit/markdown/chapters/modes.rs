@@ -68,8 +68,8 @@ fn mode(context: &Context<'_>, mode: &Mode, page: &mut Page) {
     let sentences =
         |lines: &[String]| lines.iter().map(|line| sentence(&context.prose(line))).collect::<Vec<_>>();
     if !cautions.is_empty() {
-        let lines = sentences(cautions).into_iter().map(|caution| format!("\n> {caution}"));
-        page.lines(format!("> [!WARNING]{}", lines.collect::<String>()));
+        let lines = sentences(cautions).into_iter().map(|line| format!("> {}", signalled(&line)));
+        page.lines(lines.collect::<Vec<_>>().join("\n"));
     }
     if !conditions.is_empty() {
         page.text("Before it is chosen:");
@@ -86,6 +86,16 @@ fn mode(context: &Context<'_>, mode: &Mode, page: &mut Page) {
     page.text(context.said_line(source.as_ref(), origin));
 }
 
+/// The words that say how bad it can get (ISO 3864, ANSI Z535), and one that says that it is nothing bad.
+const SIGNALS: [&str; 5] = ["DANGER", "WARNING", "CAUTION", "NOTICE", "Information"];
+
+/// A caution with the word that it begins with set off. It has no box of a kind: what the manual calls a danger would stand
+/// below another word.
+fn signalled(caution: &str) -> String {
+    let signal = SIGNALS.into_iter().find_map(|word| Some((word, caution.strip_prefix(word)?)));
+    signal.map_or_else(|| caution.to_owned(), |(word, rest)| format!("**{word}**{rest}"))
+}
+
 fn fields(context: &Context<'_>, title: &str, fields: &Fields) -> Table {
     table(title, fields, |field| statements(context, field).join("<br>"))
 }
@@ -95,7 +105,8 @@ fn homing(bits: &HomingBits) -> String {
     let HomingBits { start, reached, attained, error } = bits;
     format!(
         "A rising edge of bit {start} of the controlword starts a reference run. In the statusword, bit {attained} \
-         says that the reference is set, bit {error} that the run has failed, and bit {reached} that it is over."
+         says that the reference is set, bit {error} that the run has failed, and bit {reached} that the axis has come to \
+         where it should, or stands."
     )
 }
 

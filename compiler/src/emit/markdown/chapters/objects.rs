@@ -2,12 +2,14 @@
 
 mod area;
 mod detail;
+mod facts;
 mod kinds;
 mod marks;
 mod overview;
 mod per_axis;
 
 use detail::Detail;
+pub(super) use detail::of_mapping;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{small, text};
@@ -35,7 +37,10 @@ fn area(context: &Context<'_>, area: &area::Contents<'_>, page: &mut Page) {
         }
     }
     page.place(3, format!("area-{:04x}", area.first), text(area.name));
-    page.text(context.paragraphs(area.about));
+    if let Some(described) = area.described {
+        page.text(context.paragraphs(described.about.as_deref()));
+        page.text(context.departures_line(described.source.as_ref(), &described.origin));
+    }
     let legend = lines.legend();
     page.table(lines.table);
     page.text(legend);

@@ -1,5 +1,6 @@
 //! The process data objects and how their bytes are laid out.
 
+use super::objects::of_mapping;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::holds::Holds;
 use crate::emit::markdown::inline::{code, list, text};
@@ -7,7 +8,7 @@ use crate::emit::markdown::number::{bytes, place, width};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::picture;
 use crate::emit::markdown::table::{Table, Title};
-use crate::model::{Address, Direction, Mapped, Oversampling, Pdo, Role};
+use crate::model::{Address, Direction, Mapped, Oversampling, Pdo, Provenance, Role, provenance};
 
 /// The process data objects and how their bytes are laid out.
 pub(super) fn page(context: &Context<'_>) -> Page {
@@ -80,6 +81,7 @@ fn pdo(context: &Context<'_>, pdo: &Pdo, page: &mut Page) {
     page.text(facts(context, pdo).join(" · "));
     context.picture(page, || picture::bytes(pdo));
     page.table(layout(context, pdo));
+    context.device.object(pdo.index).iter().for_each(|object| of_mapping(context, object, page));
     page.text(context.said_line(pdo.source.as_ref(), &pdo.origin));
 }
 
@@ -140,12 +142,22 @@ pub(super) fn layout(context: &Context<'_>, pdo: &Pdo) -> Table {
         [
             place(mapped.offset, mapped.bits),
             mapped.address.map_or(String::new(), |address| context.address(address)),
-            name(context, mapped),
+            name(context, mapped) + &answered(context, mapped),
             mapped.data_type.map_or_else(|| width(mapped.bits), |data_type| data_type.to_string()),
             unit(context, mapped),
             mapping_entry(mapped),
         ]
     })
+}
+
+/// What errata have to say of an entry. Whether the whole list is assumed is said below it.
+fn answered(context: &Context<'_>, mapped: &Mapped) -> String {
+    let is_answered = |key: &&str| {
+        matches!(provenance(&mapped.origin, key), Provenance::Corrected(_) | Provenance::Contradicted(_))
+    };
+    let keys: Vec<&str> =
+        ["entry", "name", "bits", "type", "about"].into_iter().filter(is_answered).collect();
+    context.marks(&mapped.origin, &keys)
 }
 
 fn name(context: &Context<'_>, mapped: &Mapped) -> String {

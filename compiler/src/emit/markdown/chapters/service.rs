@@ -138,11 +138,25 @@ fn procedure(context: &Context<'_>, procedure: &Procedure, page: &mut Page) {
 
 fn step(context: &Context<'_>, step: &Step) -> String {
     let text = sentence(&context.prose(&step.text));
-    let place = step.address.map(|address| context.named(address));
-    match (place, &step.write) {
-        (Some(place), Some(value)) => format!("{text} Write {} to {place}.", code(value)),
-        (Some(place), None) => format!("{text} See {place}."),
+    match (step.address, &step.write) {
+        (Some(address), Some(value)) => {
+            format!("{text} Write {} to {}.", written(context, address, value), context.named(address))
+        }
+        (Some(address), None) => format!("{text} See {}.", context.named(address)),
         (None, Some(value)) => format!("{text} Write {}.", code(value)),
         (None, None) => text,
+    }
+}
+
+/// A value as one writes it: in hexadecimal where its bits have meanings.
+fn written(context: &Context<'_>, address: Address, value: &Value) -> String {
+    let device = context.device;
+    let is_word = device.words.iter().any(|word| word.address == address);
+    match (value.integer(), device.entry(address)) {
+        (Some(bits @ 0..), Some(entry)) if is_word => {
+            let digits = usize::try_from(entry.data_type.bytes() * 2).unwrap_or(0);
+            code(format!("0x{bits:0digits$X}"))
+        }
+        _ => code(value),
     }
 }

@@ -135,7 +135,7 @@ fn command_table(context: &Context<'_>, commands: &[Command]) -> Table {
 }
 
 fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table {
-    let titles = ["No.", "From", "To", "Set off by", "Axes", "Power", "What happens", "Source"];
+    let titles = ["No.", "From", "To", "Set off by", "Axes", "Power level", "What happens", "Source"];
     Table::of(titles, transitions, |transition| {
         [
             format!("{}**{}**", anchor(context, transition), transition.number),
@@ -169,8 +169,8 @@ fn from(context: &Context<'_>, transition: &Transition) -> String {
 fn scope(axes: Option<Scope>) -> &'static str {
     match axes {
         None => "",
-        Some(Scope::All) => "all",
-        Some(Scope::Any) => "any",
+        Some(Scope::All) => "all must",
+        Some(Scope::Any) => "one is enough",
     }
 }
 

@@ -1,9 +1,11 @@
 //! Who says a fact, and how sure it is: beside each source what the source does not state.
 
-use super::super::inline::{link, small, text};
+use std::collections::BTreeMap;
+
+use super::super::inline::{link, list, small, text};
 use super::Context;
-use crate::model::{Assumption, Device, Erratum, Provenance, Source, facts, provenance};
-use crate::source::Origin;
+use crate::model::{Assumption, Device, Erratum, Provenance, Source, assumption, facts, provenance};
+use crate::source::{Layer, Origin};
 
 impl Context<'_> {
     /// Where the facts of a table are from, in small print, with those that are not from there.
@@ -27,72 +29,151 @@ impl Context<'_> {
         Some(place).filter(|place| !place.is_empty()).into_iter().chain(departures).collect()
     }
 
+    /// The same where a source is not worth a line: only with what it does not state.
+    pub(in crate::emit::markdown) fn departures_line(
+        &self,
+        source: Option<&Source>,
+        origin: &Origin,
+    ) -> String {
+        match self.editorial && !self.departures(origin).is_empty() {
+            true => self.said_line(source, origin),
+            false => String::new(),
+        }
+    }
+
     /// What a source does not state: by a profile, assumed, corrected, contradicted.
     fn departures(&self, origin: &Origin) -> Vec<String> {
-        let facts = facts(origin);
-        let of_profile: Vec<&str> = facts
-            .iter()
-            .filter(|(_, who)| *who == Provenance::Profile)
-            .map(|(path, _)| path.as_str())
-            .collect();
-        let profile = match of_profile.as_slice() {
-            [] => None,
-            all if all.len() == facts.len() => Some("profile".to_owned()),
-            some => Some(format!(
-                "profile: {}",
-                some.iter().map(|path| text(path)).collect::<Vec<_>>().join(", ")
-            )),
-        };
+        let mut facts = facts(origin);
+        // what is mapped has marks of its own
+        facts.retain(|(path, _)| !path.starts_with("entries."));
+        let of_profile = facts.iter().filter(|(_, who)| *who == Provenance::Profile);
+        let of_profile: Vec<&str> = of_profile.map(|(path, _)| path.as_str()).collect();
+        let profile = (!of_profile.is_empty())
+            .then(|| told("profile", None, &of_profile, of_profile.len() == facts.len()));
         let others = ["assumed", "corrected", "contradicted"].into_iter().filter_map(|kind| {
-            let of_kind = facts.iter().filter(|(_, who)| word(who) == Some(kind));
-            let reasons: Vec<String> =
-                of_kind.map(|(path, who)| self.reason(origin, who, &text(path))).collect();
-            (!reasons.is_empty()).then(|| format!("{kind}: {}", reasons.join(", ")))
+            let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
+            for (path, who) in &facts {
+                let Some(anchor) = self.anchors(origin, path, who).remove(kind) else { continue };
+                match reasons.iter_mut().find(|(same, _)| *same == anchor) {
+                    Some((_, paths)) => paths.push(path),
+                    None => reasons.push((anchor, vec![path])),
+                }
+            }
+            if let [(anchor, paths)] = reasons.as_slice() {
+                let is_all = paths.len() == facts.len() && has_one_reason(origin);
+                return Some(told(kind, Some(anchor), paths, kind == "assumed" && is_all));
+            }
+            let links = reasons.iter().map(|(anchor, paths)| linked(&names(paths), anchor));
+            let links = list(links);
+            (!links.is_empty()).then(|| format!("{kind}: {links}"))
         });
         profile.into_iter().chain(others).collect()
     }
 
     /// A mark behind a value that the source of its table does not state, linked to the reason.
     pub(in crate::emit::markdown) fn mark(&self, origin: &Origin, key: &str) -> String {
+        if !self.editorial {
+            return String::new();
+        }
         let who = provenance(origin, key);
-        match (self.editorial, &who) {
-            (true, Provenance::Profile) => "<sup>†</sup>".to_owned(),
-            (true, Provenance::Assumed(_)) => format!("<sup>{}</sup>", self.reason(origin, &who, "‡")),
-            (true, Provenance::Corrected(_)) => {
-                format!("<sup>{}</sup>", self.reason(origin, &who, "corrected"))
+        if self.is_profile(origin, key) {
+            return "<sup>†</sup>".to_owned();
+        }
+        let anchors = self.anchors(origin, key, &who).into_iter();
+        let marks = anchors.map(|(kind, anchor)| {
+            let label = if kind == "assumed" { "‡" } else { kind };
+            format!("<sup>{}</sup>", linked(label, &anchor))
+        });
+        marks.collect()
+    }
+
+    /// Whether only the profile says so. That what it says of a thing holds at all can be assumed: that is marked once, where
+    /// the thing is named.
+    pub(in crate::emit::markdown) fn is_profile(&self, origin: &Origin, key: &str) -> bool {
+        let is_of_thing = |assumption: &Assumption| match assumption.at.path.as_deref() {
+            None => true,
+            Some(path) => path == "entries" && key != "entries",
+        };
+        match provenance(origin, key) {
+            Provenance::Profile => true,
+            Provenance::Assumed(reason) => {
+                origin.layer(key) == Some(Layer::Profile)
+                    && assumed(self.device, origin, key, &reason).is_some_and(is_of_thing)
             }
-            (true, Provenance::Contradicted(_)) => {
-                format!("<sup>{}</sup>", self.reason(origin, &who, "contradicted"))
-            }
-            _ => String::new(),
+            _ => false,
         }
     }
 
-    /// A label, linked to the assumption or the erratum behind a fact.
-    fn reason(&self, origin: &Origin, who: &Provenance, label: &str) -> String {
+    /// The marks behind a value by several keys, each once.
+    pub(in crate::emit::markdown) fn marks(&self, origin: &Origin, keys: &[&str]) -> String {
+        once(keys.iter().map(|key| self.mark(origin, key)))
+    }
+
+    /// Where the reason, or the erratum, for a fact stands, by the word for it. Errata answer what is assumed, too. The
+    /// anchor is empty where none is listed.
+    fn anchors(&self, origin: &Origin, path: &str, who: &Provenance) -> BTreeMap<&'static str, String> {
+        if *who == Provenance::Derived {
+            return BTreeMap::new();
+        }
         let erratum = |number: u16| self.device.errata.get(usize::from(number)).map(erratum_id);
-        let anchor = match who {
-            Provenance::Assumed(reason) => assumption(self.device, origin, reason).map(assumption_id),
-            Provenance::Corrected(number) | Provenance::Contradicted(number) => erratum(*number),
+        let answer = match who {
+            Provenance::Corrected(number) => Some(("corrected", erratum(*number).unwrap_or_default())),
+            Provenance::Contradicted(number) => Some(("contradicted", erratum(*number).unwrap_or_default())),
             _ => None,
         };
-        anchor.map_or_else(|| label.to_owned(), |anchor| link(label, anchor))
+        let reason = assumption(origin, path).map(|reason| {
+            ("assumed", assumed(self.device, origin, path, reason).map(assumption_id).unwrap_or_default())
+        });
+        answer.into_iter().chain(reason).collect()
     }
 }
 
-fn word(who: &Provenance) -> Option<&'static str> {
-    match who {
-        Provenance::Assumed(_) => Some("assumed"),
-        Provenance::Corrected(_) => Some("corrected"),
-        Provenance::Contradicted(_) => Some("contradicted"),
-        Provenance::Stated | Provenance::Profile | Provenance::Derived => None,
-    }
+/// Whether one reason is given for all of a table.
+fn has_one_reason(origin: &Origin) -> bool {
+    origin.node("assumed").is_some_and(|reasons| reasons.table().is_none())
 }
 
-/// The assumption with this reason, of the table itself if it has one.
-fn assumption<'d>(device: &'d Device, origin: &Origin, reason: &str) -> Option<&'d Assumption> {
-    let same = || device.assumptions.iter().filter(|assumption| assumption.reason == reason);
-    same().find(|assumption| assumption.origin.header() == origin.header()).or_else(|| same().next())
+/// Marks in a row, each once.
+pub(in crate::emit::markdown) fn once(marks: impl Iterator<Item = String>) -> String {
+    let mut all: Vec<String> = Vec::new();
+    marks.for_each(|mark| {
+        if !all.contains(&mark) {
+            all.push(mark);
+        }
+    });
+    all.concat()
+}
+
+/// What is said of some of the facts of a table, or of all of them.
+fn told(kind: &str, anchor: Option<&str>, paths: &[&str], is_all: bool) -> String {
+    let link = |label: &str| anchor.map_or_else(|| label.to_owned(), |anchor| linked(label, anchor));
+    if is_all { link(kind) } else { format!("{kind}: {}", link(&names(paths))) }
+}
+
+/// Keys in running text.
+fn names(paths: &[&str]) -> String {
+    list(paths.iter().map(|path| text(path)))
+}
+
+fn linked(label: &str, anchor: &str) -> String {
+    if anchor.is_empty() { label.to_owned() } else { link(label, anchor) }
+}
+
+/// The assumption behind a fact: the one about it, be it said of all of its table or of what that lies in. Where it is said
+/// of another thing in the same words, that stands for it.
+fn assumed<'d>(device: &'d Device, origin: &Origin, path: &str, reason: &str) -> Option<&'d Assumption> {
+    let here = origin.header();
+    let is_about = |assumption: &Assumption| {
+        let rest = assumption.at.path.as_deref().map_or(Some(""), |own| path.strip_prefix(own));
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    };
+    let rank = |assumption: &&Assumption| {
+        let there = assumption.origin.header();
+        let is_around = there.file == here.file && there.start <= here.start;
+        (there == here, is_around && is_about(assumption), is_around, there.start)
+    };
+    let same = device.assumptions.iter().filter(|assumption| assumption.reason == reason);
+    same.max_by_key(rank)
 }
 
 /// The anchor of an assumption.

@@ -38,10 +38,12 @@ pub(super) fn is_version(one: &str, other: &str) -> bool {
     one == other || opening(one) == opening(other) || label(one).is_some_and(labelled)
 }
 
-/// The first sentence, up to its full stop. What holds for some axes only stands in a span, which is in one sentence.
+/// The first sentence, up to its full stop. What holds for some axes only stands in a span, and where it is from in small
+/// print: each is in one sentence.
 fn opening(text: &str) -> &str {
     const END: &str = "</span>";
-    let is_whole = |part: &&str| part.matches("<span").count() == part.matches(END).count();
+    let closes = |part: &str, open, close| part.matches(open).count() == part.matches(close).count();
+    let is_whole = |part: &&str| closes(part, "<span", END) && closes(part, "<sub>", "</sub>");
     let mut parts = text.match_indices('.').filter_map(|(stop, _)| {
         let (part, rest) = text.split_at(stop + 1);
         match rest.strip_prefix(END) {

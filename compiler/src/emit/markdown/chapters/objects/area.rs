@@ -9,7 +9,8 @@ use crate::model::{Area, Index, Object, Repeated, Source};
 pub(super) struct Contents<'a> {
     pub(super) first: u16,
     pub(super) name: &'a str,
-    pub(super) about: Option<&'a str>,
+    /// What names it; none if the standard does.
+    pub(super) described: Option<&'a Area>,
     pub(super) objects: Vec<&'a Object>,
 }
 
@@ -37,22 +38,21 @@ const STANDARD: [(u16, u16, &str); 4] = [
 pub(super) fn areas<'a>(context: &Context<'a>, named: &'a [Area]) -> Vec<Contents<'a>> {
     let mut areas: Vec<Contents<'a>> = Vec::new();
     for object in context.leading_objects().filter(|object| !repeats_mapping(context, object)) {
-        let (first, name, about) = area_of(named, object.index);
+        let described = named.iter().find(|area| (area.first..=area.last).contains(&object.index));
+        let own = described.map(|area| (area.first.0, area.name.as_str()));
+        let (first, name) = own.unwrap_or_else(|| standard(object.index));
         match areas.iter_mut().find(|area| area.first == first && area.name == name) {
             Some(area) => area.objects.push(object),
-            None => areas.push(Contents { first, name, about, objects: vec![object] }),
+            None => areas.push(Contents { first, name, described, objects: vec![object] }),
         }
     }
     areas
 }
 
-fn area_of(named: &[Area], index: Index) -> (u16, &str, Option<&str>) {
-    let named = named.iter().find(|area| (area.first..=area.last).contains(&index));
-    if let Some(area) = named {
-        return (area.first.0, &area.name, area.about.as_deref());
-    }
+/// The first index and the name of an area that the description does not name.
+fn standard(index: Index) -> (u16, &'static str) {
     let standard = STANDARD.iter().find(|(first, last, _)| (*first..=*last).contains(&index.0));
-    standard.map_or((0, "Objects", None), |(first, _, name)| (*first, name, None))
+    standard.map_or((0, "Objects"), |(first, _, name)| (*first, name))
 }
 
 /// Whether an object maps the PDO of an axis just as that of the first axis is mapped.

@@ -1,14 +1,13 @@
 //! What there is to say of an object beyond its line in the table.
 
+use super::facts::{Facts, triggered};
 use super::{is_mapping, overview, per_axis};
 use crate::emit::markdown::context::{Context, is_single};
-use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
+use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{
-    Effective, Entry, Mode, Object, Pdo, Property, Safety, SdoAccess, Source, Stored, Trigger,
-};
-use crate::source::Origin;
+use crate::model::{Entry, Mode, Object, Pdo, Source};
+use crate::source::Value;
 
 /// What there is to say of an object.
 pub(super) enum Detail {
@@ -52,7 +51,7 @@ fn statements(context: &Context<'_>, object: &Object) -> Vec<String> {
     let mut statements = Facts::of_object(object).sentences(context);
     if let ([only], true) = (object.entries.as_slice(), is_single(object)) {
         statements.extend(Facts::of_entry(only).sentences(context));
-        statements.extend(only.trigger.iter().map(|trigger| trigger_text(context, only, trigger)));
+        statements.extend(only.trigger.iter().map(|trigger| triggered(context, only, trigger)));
     }
     statements.extend(uses(context, object));
     statements.extend(per_axis::differences(context, object));
@@ -74,7 +73,7 @@ fn entries(context: &Context<'_>, object: &Object) -> Vec<String> {
     let spoken = object.entries.iter().filter_map(|entry| {
         let mut statements = Facts::of_entry(entry).sentences(context);
         statements.retain(|one| !told.contains(one));
-        statements.extend(entry.trigger.iter().map(|trigger| trigger_text(context, entry, trigger)));
+        statements.extend(entry.trigger.iter().map(|trigger| triggered(context, entry, trigger)));
         let own = entry.source.as_ref().filter(|own| Some(*own) != object.source.as_ref());
         statements.extend(own.map(|own| context.source(Some(own))));
         let subindex = code(format!(":{:02X}", entry.address.subindex));
@@ -84,138 +83,15 @@ fn entries(context: &Context<'_>, object: &Object) -> Vec<String> {
     spoken.collect()
 }
 
-/// What objects and entries both can say.
-struct Facts<'a> {
-    origin: &'a Origin,
-    about: Option<&'a str>,
-    note: Option<&'a str>,
-    functional: bool,
-    properties: &'a [Property],
-    backup: bool,
-    setting: bool,
-    safety: Option<Safety>,
-    sdo_access: Option<SdoAccess>,
-    effective: Option<Effective>,
-    stored: Option<Stored>,
-}
-
-impl<'a> Facts<'a> {
-    /// The rest of an object stands in the table and in the lines of its entries.
-    fn of_object(object: &'a Object) -> Self {
-        let Object {
-            about,
-            note,
-            functional,
-            properties,
-            sdo_access,
-            index: _,
-            id: _,
-            name: _,
-            names: _,
-            kind: _,
-            axis: _,
-            category: _,
-            entries: _,
-            derived: _,
-            parameter: _,
-            leading: _,
-            source: _,
-            origin,
-        } = object;
-        Self {
-            origin,
-            about: about.as_deref(),
-            note: note.as_deref(),
-            functional: *functional,
-            properties,
-            backup: false,
-            setting: false,
-            safety: None,
-            sdo_access: *sdo_access,
-            effective: None,
-            stored: None,
-        }
-    }
-
-    /// The rest of an entry stands in the table; its values, its trigger and its source follow.
-    fn of_entry(entry: &'a Entry) -> Self {
-        let Entry {
-            about,
-            note,
-            functional,
-            properties,
-            backup,
-            setting,
-            safety,
-            parameter: _,
-            effective,
-            stored,
-            address: _,
-            id: _,
-            name: _,
-            names: _,
-            data_type: _,
-            access: _,
-            pdo: _,
-            category: _,
-            unit: _,
-            default: _,
-            min: _,
-            max: _,
-            values: _,
-            written: _,
-            trigger: _,
-            source: _,
-            origin,
-        } = entry;
-        Self {
-            origin,
-            about: about.as_deref(),
-            note: note.as_deref(),
-            functional: *functional,
-            properties,
-            backup: *backup,
-            setting: *setting,
-            safety: *safety,
-            sdo_access: None,
-            effective: *effective,
-            stored: *stored,
-        }
-    }
-
-    fn sentences(&self, context: &Context<'_>) -> Vec<String> {
-        let functional =
-            (!self.functional).then(|| "It is there for compatibility only and does nothing.".into());
-        let marked = |key: &str, text: &str| sentence(&context.prose(text)) + &context.mark(self.origin, key);
-        let about = self.about.map(|about| marked("about", about));
-        let note = self.note.map(|note| marked("note", note));
-        let backup = self.backup.then(|| "A backup of the device holds it.".into());
-        let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        let safety = self.safety.map(|safety| safe(safety).into());
-        let transfer = self.sdo_access.map(|access| transferred(access).into());
-        let effective = self.effective.map(|when| sentence(when.sentence()));
-        let stored = self.stored.map(|how| sentence(how.sentence()));
-        let said = [functional, about, note, backup, setting, safety, transfer, effective, stored]
-            .into_iter()
-            .flatten();
-        said.chain(self.properties.iter().map(property)).collect()
-    }
-}
-
-fn trigger_text(context: &Context<'_>, entry: &Entry, trigger: &Trigger) -> String {
-    let named = |addresses: &[_]| list(addresses.iter().map(|address| context.named(*address)));
-    let mut text =
-        format!("Writing {}: {}", context.value(entry, &trigger.value), context.prose(&trigger.action));
-    if let Some(mode) = trigger.mode {
-        text.push_str(&format!("; only in mode {}", context.mode(mode)));
-    }
-    if !trigger.uses.is_empty() {
-        text.push_str(&format!("; it takes {}", named(&trigger.uses)));
-    }
-    if !trigger.updates.is_empty() {
-        text.push_str(&format!("; it changes {}", named(&trigger.updates)));
-    }
-    sentence(&text)
+/// What is said of the mapping object of a PDO besides what it maps.
+pub(in crate::emit::markdown::chapters) fn of_mapping(
+    context: &Context<'_>,
+    object: &Object,
+    page: &mut Page,
+) {
+    page.text(Facts::of_object(object).sentences(context).join(" "));
+    page.list(entries(context, object));
+    object.entries.iter().for_each(|entry| values(context, object, entry, page));
 }
 
 /// Where the object is used: words, PDOs, modes.
@@ -236,12 +112,15 @@ fn uses(context: &Context<'_>, object: &Object) -> Vec<String> {
 
 /// What the values of an entry mean.
 fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page) {
-    if overview::is_count(object, entry) || entry.values.is_empty() {
+    if overview::is_count(context, object, entry) || entry.values.is_empty() {
         return;
     }
+    let mark = context.mark(&entry.origin, "values") + &of_enumeration(context, entry);
     if !is_single(object) {
         let subindex = code(format!(":{:02X}", entry.address.subindex));
-        page.text(format!("{subindex} **{}**:", text(&entry.name)));
+        page.text(format!("{subindex} **{}**:{mark}", text(&entry.name)));
+    } else if !mark.is_empty() {
+        page.text(format!("Values:{mark}"));
     }
     page.table(Table::of(["Value", "Meaning", "In full"], &entry.values, |meaning| {
         let about = context.optional(meaning.about.as_deref());
@@ -249,26 +128,11 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page
     }));
 }
 
-/// What the vendor's tools are told.
-fn property(property: &Property) -> String {
-    let Property { name, value, about } = property;
-    let value = value.as_ref().map_or(String::new(), |value| format!(" {}", code(value)));
-    let about = about.as_ref().map_or(String::new(), |about| format!(": {}", text(about)));
-    sentence(&format!("{}{value}{about}", text(name)))
-}
-
-fn safe(safety: Safety) -> &'static str {
-    match safety {
-        Safety::Inputs => "It is a safe input.",
-        Safety::Outputs => "It is a safe output.",
-        Safety::InputsOutputs => "It is a safe input and output.",
-        Safety::Parameters => "Safety depends on it.",
-    }
-}
-
-fn transferred(access: SdoAccess) -> &'static str {
-    match access {
-        SdoAccess::Complete => "Its entries are transferred all at once.",
-        SdoAccess::Single => "Its entries are transferred one by one.",
-    }
+/// The mark of an enumeration that the values of an entry are from.
+fn of_enumeration(context: &Context<'_>, entry: &Entry) -> String {
+    let Some(Value::String(id)) = entry.origin.node("values").map(|node| &node.value) else {
+        return String::new();
+    };
+    let named = context.device.enumerations.iter().find(|enumeration| enumeration.id == **id);
+    named.map_or(String::new(), |named| context.mark(&named.origin, "values"))
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::{Access, Entry, Mappable, Object, Provenance, facts};
-use crate::source::Origin;
+use crate::model::{Access, Entry, Mappable, Object, facts};
+use crate::source::{Layer, Origin};
 
 /// The kinds of an object that is one value.
 pub(super) fn single(object: &Object, entry: &Entry) -> BTreeSet<&'static str> {
@@ -38,9 +38,11 @@ fn values(entry: &Entry) -> [&'static str; 2] {
 
 /// Whether the profile says all, the description says something else than the profile, or the profile does not know it.
 fn said<'o>(origins: impl IntoIterator<Item = &'o Origin>) -> &'static str {
-    let facts: Vec<_> = origins.into_iter().flat_map(facts).collect();
-    let is_profile = |(_, who): &(String, Provenance)| *who == Provenance::Profile;
-    match (facts.iter().any(is_profile), facts.iter().all(is_profile)) {
+    let layers = |origin: &'o Origin| {
+        facts(origin).into_iter().filter_map(move |(path, _)| Some(origin.layer(&path)? == Layer::Profile))
+    };
+    let is_profile: Vec<bool> = origins.into_iter().flat_map(layers).collect();
+    match (is_profile.contains(&true), !is_profile.contains(&false)) {
         (true, true) => "profile",
         (true, false) => "changed",
         (false, _) => "own",

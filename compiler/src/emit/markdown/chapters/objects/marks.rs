@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::is_mapping;
-use crate::emit::markdown::context::{Context, assumption_id};
+use crate::emit::markdown::context::{Context, assumption_id, once};
 use crate::emit::markdown::inline::{link, small};
 use crate::model::{Category, Entry, Object, Place, Provenance, provenance};
-use crate::source::Origin;
+use crate::source::{Layer, Origin};
 
 /// The profile says so, and the description of the device nothing else.
 const PROFILE: &str = "†";
@@ -31,38 +31,45 @@ impl Marks {
         let all_types = entries.peek().is_some()
             && entries.all(|entry| provenance(&entry.origin, "type") != Provenance::Stated)
             && objects.iter().any(|object| !object.derived);
-        Self { all_types, used: BTreeSet::new() }
+        Self { all_types, ..Self::default() }
     }
 
-    /// What is to be marked of an object.
+    /// What is to be marked of an object as a whole: beside its name.
     pub(super) fn object(&mut self, context: &Context<'_>, object: &Object) -> String {
         if !context.editorial {
             return String::new();
         }
         let at = Place::from(object.index);
-        let assumed = context.device.assumptions.iter().find(|assumption| assumption.at == at);
-        let assumed = assumed.map(|assumption| {
+        let whole = context.device.assumptions.iter().find(|assumption| assumption.at == at);
+        let by_profile = object.origin.layer("name") == Some(Layer::Profile);
+        let sign = object.derived.then_some(DERIVED).or_else(|| by_profile.then_some(PROFILE));
+        let sign = sign.map(|mark| self.mark(mark)).unwrap_or_default();
+        let whole = whole.map(|whole| {
             self.used.insert(ASSUMED);
-            format!("<sup>{}</sup>", link(ASSUMED, assumption_id(assumption)))
+            format!("<sup>{}</sup>", link(ASSUMED, assumption_id(whole)))
         });
-        let provenance = match provenance(&object.origin, "name") {
-            _ if object.derived => Some(DERIVED),
-            Provenance::Profile => Some(PROFILE),
-            _ => None,
-        };
-        let provenance = provenance.map(|mark| self.mark(mark));
-        provenance.into_iter().chain(assumed).collect()
+        let keys = ["name", "entries"].map(|key| self.own(context, &object.origin, key));
+        sign + &once(whole.into_iter().chain(keys))
+    }
+
+    /// What is to be marked of a key of a table, unless its profile says so.
+    pub(super) fn own(&mut self, context: &Context<'_>, origin: &Origin, key: &str) -> String {
+        if context.is_profile(origin, key) {
+            return String::new();
+        }
+        let mark = context.mark(origin, key);
+        if mark.contains(ASSUMED) {
+            self.used.insert(ASSUMED);
+        }
+        mark
     }
 
     /// What is to be marked of the type of an entry.
     pub(super) fn data_type(&mut self, context: &Context<'_>, entry: &Entry) -> String {
-        match provenance(&entry.origin, "type") {
-            Provenance::Profile if self.all_types => String::new(),
-            _ => self.of(context, &entry.origin, "type"),
-        }
+        self.profile(context, entry, "type", self.all_types) + &self.own(context, &entry.origin, "type")
     }
 
-    /// What a cell says by these keys, with marks; nothing stays nothing.
+    /// What a cell says by these keys, with marks. Nothing stays nothing, unless an erratum has made it so.
     pub(super) fn fact(
         &mut self,
         context: &Context<'_>,
@@ -70,23 +77,22 @@ impl Marks {
         keys: &[&str],
         text: String,
     ) -> String {
-        if text.is_empty() {
-            return text;
-        }
-        let mut marks: Vec<String> = keys.iter().map(|key| self.of(context, &entry.origin, key)).collect();
-        marks.dedup();
-        text + &marks.concat()
+        let is_gone = |key: &&str| matches!(provenance(&entry.origin, key), Provenance::Corrected(_));
+        let text = match text.is_empty() {
+            true if context.editorial && keys.iter().any(|key| is_gone(&key)) => "–".to_owned(),
+            true => return text,
+            false => text,
+        };
+        let marks = keys
+            .iter()
+            .map(|key| self.profile(context, entry, key, false) + &self.own(context, &entry.origin, key));
+        text + &once(marks)
     }
 
-    fn of(&mut self, context: &Context<'_>, origin: &Origin, key: &str) -> String {
-        match provenance(origin, key) {
-            Provenance::Profile if context.editorial => self.mark(PROFILE),
-            Provenance::Assumed(_) if context.editorial => {
-                self.used.insert(ASSUMED);
-                context.mark(origin, key)
-            }
-            _ => context.mark(origin, key),
-        }
+    /// The mark of what only the profile says, unless that is said of all.
+    fn profile(&mut self, context: &Context<'_>, entry: &Entry, key: &str, is_said: bool) -> String {
+        let is_marked = context.editorial && !is_said && context.is_profile(&entry.origin, key);
+        if is_marked { self.mark(PROFILE) } else { String::new() }
     }
 
     /// Whether a profile demands an entry, in a letter.

@@ -1,11 +1,13 @@
 //! What the axes do not share: the indices, and what differs from the first axis.
 
+use super::facts::on_axis;
 use super::is_mapping;
 use super::overview::{access, mappable};
 use crate::emit::markdown::context::{Context, is_single};
-use crate::emit::markdown::inline::{code, link, sentence, text};
+use crate::emit::markdown::inline::{code, link, list, sentence, text};
 use crate::emit::markdown::table::{Table, Title};
-use crate::model::{Entry, Object};
+use crate::model::{Entry, Object, Provenance, facts, provenance};
+use crate::source::Origin;
 
 /// The index of each object on each axis.
 pub(super) fn indices(context: &Context<'_>, objects: &[&Object]) -> Table {
@@ -29,6 +31,11 @@ pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String
     for (axis, object) in (0..=u8::MAX).zip(context.on_axes(leading)) {
         let text =
             object.map_or_else(|| "not there".into(), |object| compare(context, leading, object).join(", "));
+        let own = object.filter(|object| object.source != leading.source);
+        let text = match own.map_or(String::new(), |object| context.source(object.source.as_ref())) {
+            source if source.is_empty() || text.is_empty() => text + &source,
+            source => format!("{text} {source}"),
+        };
         match groups.iter_mut().find(|(_, same)| *same == text) {
             Some((axes, _)) => axes.push(axis),
             None => groups.push((vec![axis], text)),
@@ -50,6 +57,7 @@ fn compare(context: &Context<'_>, leading: &Object, object: &Object) -> Vec<Stri
     changes.note(leading.functional && !object.functional, || NO_FUNCTION.into());
     changes.prose(context, &leading.about, &object.about);
     changes.prose(context, &leading.note, &object.note);
+    changes.answers(context, &leading.origin, &object.origin);
     for entry in &object.entries {
         let mut own = Changes::default();
         match leading.entry(entry.address.subindex) {
@@ -77,8 +85,21 @@ fn compare_entries(context: &Context<'_>, first: &Entry, entry: &Entry, changes:
     let ranges = [first, entry].map(|entry| context.range(entry));
     changes.note(ranges[0] != ranges[1], || format!("range {}", ranges[1]));
     changes.note(first.unit != entry.unit, || format!("unit {}", context.unit(entry)));
+    let parameter = entry.parameter.as_deref().filter(|_| first.parameter != entry.parameter);
+    changes.0.extend(parameter.map(|parameter| format!("parameter {}", text(parameter))));
+    let window = entry.written.filter(|_| first.written != entry.written);
+    changes.0.extend(window.map(|window| format!("written in {}", code(window.name()))));
+    changes.note(first.values != entry.values, || {
+        let values = entry
+            .values
+            .iter()
+            .map(|it| format!("{} {}", context.number_of(entry, it.value.into()), text(&it.name)));
+        format!("values {}", list(values))
+    });
+    changes.0.extend(on_axis(context, first, entry));
     changes.prose(context, &first.about, &entry.about);
     changes.prose(context, &first.note, &entry.note);
+    changes.answers(context, &first.origin, &entry.origin);
 }
 
 /// What is different, in words.
@@ -88,6 +109,15 @@ struct Changes(Vec<String>);
 impl Changes {
     fn note(&mut self, different: bool, words: impl Fn() -> String) {
         self.0.extend(different.then(words));
+    }
+
+    /// What errata have changed, or doubt, on this axis only.
+    fn answers(&mut self, context: &Context<'_>, first: &Origin, own: &Origin) {
+        let told = facts(own).into_iter().filter(|(path, who)| {
+            let is_answer = matches!(who, Provenance::Corrected(_) | Provenance::Contradicted(_));
+            context.editorial && is_answer && provenance(first, path) != *who
+        });
+        self.0.extend(told.map(|(path, _)| format!("{}{}", text(&path), context.mark(own, &path))));
     }
 
     fn prose(&mut self, context: &Context<'_>, first: &Option<String>, own: &Option<String>) {

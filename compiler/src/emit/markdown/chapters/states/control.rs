@@ -13,9 +13,7 @@ pub(super) fn commands(context: &Context<'_>, control: &DeviceControl, page: &mu
         control;
     let refusal = match wrong_command {
         Refusal::Ignored => "A command that leads nowhere in the present state is ignored.",
-        Refusal::Fault => {
-            "A command that leads nowhere in the present state, or bits that make none, are a fault: transition 13."
-        }
+        Refusal::Fault => "A command that leads nowhere in the present state is a fault: transition 13.",
     };
     page.text(said(context, origin, "wrong-command", refusal));
     page.text(context.paragraphs(about.as_deref()));
