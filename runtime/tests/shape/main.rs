@@ -9,5 +9,6 @@ mod dictionary;
 mod ethercrab;
 mod numbers;
 mod process_data;
+mod values;
 mod views;
 mod words;
