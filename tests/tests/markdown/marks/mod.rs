@@ -38,7 +38,7 @@ fn listed(member: &Value) -> Vec<(&str, Option<&str>)> {
     let errata = errata.filter(|erratum| {
         // What stands is what the source states. Where it says nothing and nobody knows better, there is no fact.
         let is_silent = erratum["says"].as_object().is_some_and(|says| says.is_empty());
-        !erratum["stands"].as_bool().unwrap() && !(is_silent && erratum["holds"].is_null())
+        !(erratum["stands"].as_bool().unwrap() || is_silent && erratum["holds"].is_null())
     });
     let errata = errata.map(|erratum| (erratum["at"].as_str().unwrap(), erratum["rule"].as_str()));
     let assumptions = member["assumptions"].as_array().unwrap().iter();
