@@ -7,6 +7,9 @@ use crate::places::resolved;
 
 /// Values that a key may hold.
 pub(crate) fn samples(key: &str, holds: &Json, schema: &Json) -> Vec<Value> {
+    if key == "write" {
+        return vec![Value::Integer(2)]; // it has to fit the entry
+    }
     let holds = resolved(holds, schema);
     if let Some(words) = holds.get("oneOf").and_then(Json::as_array) {
         let words = words.iter().filter_map(|word| word["const"].as_str());
@@ -44,6 +47,7 @@ fn of_kind(kind: &str, key: &str, holds: &Json, schema: &Json) -> Vec<Value> {
 fn texts(key: &str) -> Vec<Value> {
     let read = match key {
         "type" => "UINT32",
+        "during" => "PS",
         "pattern" => "x1xx xx10",
         "at" => "identity.serial",
         "range" => "0x3000..=0x30FF",

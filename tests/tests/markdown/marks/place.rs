@@ -53,6 +53,7 @@ const SECTIONS: &[(&str, &[&str], &str)] = &[
     ("master-settings", &["Settings and procedures"], "name"),
     ("parameters", &["Settings and procedures"], "name"),
     ("procedures", &["Settings and procedures"], "name"),
+    ("documents", &["Sources"], "title"),
 ];
 
 impl Place {

@@ -1,6 +1,6 @@
 //! The reference as lines, each with what a person sees it under.
 
-/// The lines before the chapter that lists what is not stated, and those of that chapter.
+/// The lines before the lists of what is not stated, and those of the lists.
 pub(super) struct Text<'t> {
     body: Vec<Line<'t>>,
     /// Each without markup and as it is.
@@ -20,7 +20,9 @@ pub(super) struct Line<'t> {
 
 impl<'t> Text<'t> {
     pub(super) fn read(markdown: &'t str) -> Self {
-        let (body, lists) = markdown.split_once("</a>Sources\n").expect("a chapter of sources");
+        let sources = markdown.find("</a>Sources\n").expect("a chapter of sources");
+        let lists = markdown[sources..].find("\n### ").map_or(markdown.len(), |lists| sources + lists);
+        let (body, lists) = markdown.split_at(lists);
         let (mut line, mut lines) = (Line::default(), Vec::new());
         for text in body.lines() {
             line.text = text;

@@ -44,13 +44,19 @@ assumption.";
 fn document_table(context: &Context<'_>, documents: &[Document]) -> Table {
     let titles = ["Document", "Number", "Edition", "Publisher", "Use"];
     Table::of(titles, documents, |document| {
-        let optional = |plain: &Option<String>| plain.as_deref().map_or(String::new(), text);
+        let Document { id, title, number, edition, publisher, about, source: _, origin } = document;
+        let marked = |told: String, key: &str| match told.is_empty() {
+            true => told,
+            false => told + &context.mark(origin, key),
+        };
+        let optional =
+            |plain: &Option<String>, key: &str| marked(plain.as_deref().map_or(String::new(), text), key);
         [
-            format!("{}{}", anchor(format!("doc-{}", document.id)), text(&document.title)),
-            optional(&document.number),
-            optional(&document.edition),
-            optional(&document.publisher),
-            context.optional(document.about.as_deref()),
+            marked(format!("{}{}", anchor(format!("doc-{id}")), text(title)), "title"),
+            optional(number, "number"),
+            optional(edition, "edition"),
+            optional(publisher, "publisher"),
+            marked(context.optional(about.as_deref()), "about"),
         ]
     })
 }

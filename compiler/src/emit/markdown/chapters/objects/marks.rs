@@ -69,7 +69,7 @@ impl Marks {
         self.profile(context, entry, "type", self.all_types) + &self.own(context, &entry.origin, "type")
     }
 
-    /// What a cell says by these keys, with marks. Nothing stays nothing, unless an erratum has made it so.
+    /// What a cell says by these keys, with marks. Nothing stays nothing, unless an erratum or an assumption says so.
     pub(super) fn fact(
         &mut self,
         context: &Context<'_>,
@@ -77,9 +77,11 @@ impl Marks {
         keys: &[&str],
         text: String,
     ) -> String {
-        let is_gone = |key: &&str| matches!(provenance(&entry.origin, key), Provenance::Corrected(_));
+        let is_said = |key: &&str| {
+            matches!(provenance(&entry.origin, key), Provenance::Corrected(_) | Provenance::Assumed(_))
+        };
         let text = match text.is_empty() {
-            true if context.editorial && keys.iter().any(is_gone) => "–".to_owned(),
+            true if context.editorial && keys.iter().any(is_said) => "–".to_owned(),
             true => return text,
             false => text,
         };
