@@ -1900,7 +1900,7 @@ impl SmInputParameterSynchronizationType {
 pub struct VendorCode(pub u32);
 
 impl VendorCode {
-    /// N17: not synchronised (3.3.4, 3.11).
+    /// n17: not synchronised (3.3.4, 3.11).
     ///
     /// A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or
     /// their jitter is too large.

@@ -178,11 +178,14 @@ pub(super) fn escape(text: &str) -> String {
     escaped
 }
 
-/// A name as the beginning of a sentence, with a full stop.
+/// A name as the beginning of a sentence, with a full stop. A code such as `n17` stays as it is written.
 pub(super) fn sentence(text: &str) -> String {
     let text = text.trim();
+    let is_code =
+        text.split_whitespace().next().is_some_and(|word| word.contains(|c: char| c.is_ascii_digit()));
     let mut chars = text.chars();
-    let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    let first = chars.next().map(|c| if is_code { c.to_string() } else { c.to_uppercase().to_string() });
+    let first = first.unwrap_or_default();
     let stop = if text.ends_with(['.', '!', '?']) { "" } else { "." };
     escape(&format!("{first}{}{stop}", chars.as_str()))
 }

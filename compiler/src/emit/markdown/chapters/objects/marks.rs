@@ -77,8 +77,10 @@ impl Marks {
         keys: &[&str],
         text: String,
     ) -> String {
-        let is_said = |key: &&str| {
-            matches!(provenance(&entry.origin, key), Provenance::Corrected(_) | Provenance::Assumed(_))
+        let is_said = |key: &&str| match provenance(&entry.origin, key) {
+            Provenance::Corrected(_) => true,
+            Provenance::Assumed(_) => !context.is_profile(&entry.origin, key),
+            _ => false,
         };
         let text = match text.is_empty() {
             true if context.editorial && keys.iter().any(is_said) => "–".to_owned(),
