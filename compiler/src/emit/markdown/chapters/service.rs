@@ -148,15 +148,7 @@ fn step(context: &Context<'_>, step: &Step) -> String {
     }
 }
 
-/// A value as one writes it: in hexadecimal where its bits have meanings.
+/// A value as one writes it to an entry.
 fn written(context: &Context<'_>, address: Address, value: &Value) -> String {
-    let device = context.device;
-    let is_word = device.words.iter().any(|word| word.address == address);
-    match (value.integer(), device.entry(address)) {
-        (Some(bits @ 0..), Some(entry)) if is_word => {
-            let digits = usize::try_from(entry.data_type.bytes() * 2).unwrap_or(0);
-            code(format!("0x{bits:0digits$X}"))
-        }
-        _ => code(value),
-    }
+    context.device.entry(address).map_or_else(|| code(value), |entry| context.value(entry, value))
 }
