@@ -6,6 +6,7 @@ mod images;
 mod levels;
 mod lookup;
 mod occupant;
+mod overlap;
 mod refusal;
 mod report;
 pub(crate) mod rules;

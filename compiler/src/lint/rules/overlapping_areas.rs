@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Area, Device, Section};
+use crate::lint::overlap::overlapping;
+use crate::model::{Device, Section};
 
 rule! {
     /// An object lies in one area of the dictionary, and is listed there. Where two areas share indices, one of them does not
@@ -23,19 +24,12 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    // they are sorted by their first index
-    let mut widest: Option<&Area> = None;
-    for area in &device.areas {
-        if let Some(other) = widest.filter(|other| area.first <= other.last) {
-            let message = format!("{} lies in `{}` and in `{}`", area.first, other.name, area.name);
-            let diagnostic = Diagnostic::new(&RULE, message, area.origin.header(), "this area")
-                .label(other.origin.header(), "and this one")
-                .help("end the one where the other begins");
-            let key = format!("0x{:04X}..=0x{:04X}", area.first.0, area.last.0);
-            report.push(Section::Areas.at(key), diagnostic);
-        }
-        if widest.is_none_or(|other| other.last < area.last) {
-            widest = Some(area);
-        }
+    for (other, area) in overlapping(&device.areas, |area| (area.first, area.last)) {
+        let message = format!("{} lies in `{}` and in `{}`", area.first, other.name, area.name);
+        let diagnostic = Diagnostic::new(&RULE, message, area.origin.header(), "this area")
+            .label(other.origin.header(), "and this one")
+            .help("end the one where the other begins");
+        let key = format!("0x{:04X}..=0x{:04X}", area.first.0, area.last.0);
+        report.push(Section::Areas.at(key), diagnostic);
     }
 }

@@ -1,5 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
+use crate::lint::overlap::overlapping;
 use crate::model::{Device, Section};
 
 rule! {
@@ -24,21 +25,12 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for telegram in &device.telegrams {
-        let mut fields: Vec<_> = telegram.fields.iter().collect();
-        fields.sort_by_key(|field| (field.low, field.high));
-        let mut widest = fields.first().copied();
-        for field in fields.iter().skip(1) {
-            if let Some(other) = widest.filter(|other| field.low <= other.high) {
-                let message = format!("byte {} is `{}` and `{}`", field.low, other.name, field.name);
-                let at = telegram.origin.value(&field.path("bytes"));
-                let diagnostic = Diagnostic::new(&RULE, message, at, "again here")
-                    .label(telegram.origin.value(&other.path("bytes")), "first here");
-                report
-                    .push(Section::Telegrams.at(&telegram.id).at(format!("bytes.{}", field.low)), diagnostic);
-            }
-            if widest.is_none_or(|other| other.high < field.high) {
-                widest = Some(field);
-            }
+        for (other, field) in overlapping(&telegram.fields, |field| (field.low, field.high)) {
+            let message = format!("byte {} is `{}` and `{}`", field.low, other.name, field.name);
+            let at = telegram.origin.value(&field.path("bytes"));
+            let diagnostic = Diagnostic::new(&RULE, message, at, "again here")
+                .label(telegram.origin.value(&other.path("bytes")), "first here");
+            report.push(Section::Telegrams.at(&telegram.id).at(format!("bytes.{}", field.low)), diagnostic);
         }
     }
 }

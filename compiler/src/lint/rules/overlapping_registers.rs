@@ -1,5 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
+use crate::lint::overlap::overlapping;
 use crate::model::{Device, Register, Section};
 
 rule! {
@@ -23,21 +24,18 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    let end = |register: &Register| u32::from(register.address) + u32::from(register.length);
-    let mut longest: Option<&Register> = None;
-    for register in &device.registers {
-        if let Some(other) = longest.filter(|other| u32::from(register.address) < end(other)) {
-            let message = format!(
-                "`{}` begins at 0x{:04X}, inside of `{}`",
-                register.name, register.address, other.name
-            );
-            let diagnostic = Diagnostic::new(&RULE, message, register.origin.header(), "begins here")
-                .label(other.origin.value("length"), "is so long")
-                .help("correct the length of the one, or the address of the other");
-            report.push(Section::Registers.at(register.address), diagnostic);
-        }
-        if longest.is_none_or(|other| end(other) < end(register)) {
-            longest = Some(register);
-        }
+    for (other, register) in overlapping(&device.registers, bytes) {
+        let message =
+            format!("`{}` begins at 0x{:04X}, inside of `{}`", register.name, register.address, other.name);
+        let diagnostic = Diagnostic::new(&RULE, message, register.origin.header(), "begins here")
+            .label(other.origin.value("length"), "is so long")
+            .help("correct the length of the one, or the address of the other");
+        report.push(Section::Registers.at(register.address), diagnostic);
     }
+}
+
+/// The first byte of a register and the last.
+fn bytes(register: &Register) -> (i64, i64) {
+    let first = i64::from(register.address);
+    (first, first + i64::from(register.length) - 1)
 }

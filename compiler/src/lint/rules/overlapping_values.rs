@@ -1,5 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
+use crate::lint::overlap::overlapping;
 use crate::model::{Device, Section};
 
 rule! {
@@ -24,20 +25,12 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for parameter in &device.parameters {
-        let mut ranges: Vec<_> = parameter.values.iter().collect();
-        ranges.sort_by_key(|range| (range.first, range.last));
-        let mut widest = ranges.first().copied();
-        for range in ranges.into_iter().skip(1) {
-            if let Some(other) = widest.filter(|other| range.first <= other.last) {
-                let message = format!("{} means `{}` and `{}`", range.first, other.name, range.name);
-                let at = parameter.origin.value("values");
-                let diagnostic = Diagnostic::new(&RULE, message, at, "both are here")
-                    .help("end the one range where the other begins");
-                report.push(Section::Parameters.at(&parameter.id).at("values"), diagnostic);
-            }
-            if widest.is_none_or(|other| other.last < range.last) {
-                widest = Some(range);
-            }
+        for (other, range) in overlapping(&parameter.values, |range| (range.first, range.last)) {
+            let message = format!("{} means `{}` and `{}`", range.first, other.name, range.name);
+            let at = parameter.origin.value("values");
+            let diagnostic = Diagnostic::new(&RULE, message, at, "both are here")
+                .help("end the one range where the other begins");
+            report.push(Section::Parameters.at(&parameter.id).at("values"), diagnostic);
         }
     }
 }
