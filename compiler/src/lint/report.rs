@@ -1,6 +1,9 @@
 //! What the rules found.
 
+use std::rc::Rc;
+
 use super::sibling::Sibling;
+use super::slips::{self, Slip};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Device, Place};
 use crate::source::{FileId, Node, Origin, Sources};
@@ -21,13 +24,15 @@ pub(crate) struct Report {
     profiles: Vec<FileId>,
     /// The members of the family before the one that is looked at.
     earlier: Vec<Sibling>,
+    /// The slips in the device, once a rule has asked for them.
+    slips: Option<Rc<[Slip]>>,
 }
 
 impl Report {
     /// An empty report on the first device of those that were read from these files.
     pub(super) fn new(sources: &Sources) -> Self {
         let profiles = sources.iter().filter(|(_, file)| file.embedded).map(|(id, _)| id).collect();
-        Self { findings: Vec::new(), profiles, earlier: Vec::new() }
+        Self { profiles, ..Self::default() }
     }
 
     /// Reports a fault at something.
@@ -40,6 +45,11 @@ impl Report {
         &self.earlier
     }
 
+    /// The slips in the device that is looked at: the walk to them is long, and several rules ask.
+    pub(super) fn slips(&mut self, device: &Device) -> Rc<[Slip]> {
+        Rc::clone(self.slips.get_or_insert_with(|| slips::of(device).into()))
+    }
+
     /// What a profile says at `path`, whether or not the description says otherwise.
     pub(crate) fn profile<'o>(&self, origin: &'o Origin, path: &str) -> Option<&'o Node> {
         let known = |node: &&Node| self.profiles.contains(&node.at.file);
@@ -50,6 +60,7 @@ impl Report {
     /// first of them. What comes is about the next device.
     pub(super) fn finish(&mut self, device: &Device) -> Vec<Finding> {
         self.earlier.push(Sibling::new(device));
+        self.slips = None;
         let key = |finding: &Finding| (finding.diagnostic.rule.name, finding.diagnostic.at());
         self.findings.sort_by(|a, b| (key(a), &a.at).cmp(&(key(b), &b.at)));
         self.findings.dedup_by(|later, first| key(later) == key(first) && later.at != first.at);

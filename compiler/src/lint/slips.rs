@@ -6,6 +6,7 @@ use crate::model::{Compare, Device, FieldPath, Place, Section, Shape, Walker};
 use crate::source::{Location, Origin};
 
 /// A slip of the pen.
+#[derive(Debug)]
 pub(super) struct Slip {
     pub(super) place: Place,
     /// The key of the list or the text.

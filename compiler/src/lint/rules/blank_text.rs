@@ -1,7 +1,7 @@
 use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::{Report, slips, texts};
+use crate::lint::{Report, texts};
 use crate::model::Device;
 
 rule! {
@@ -33,12 +33,12 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let names = texts::named(device).into_iter().map(|named| named.origin.value(&named.path));
     let head = ["name", "vendor", "group", "type-name"].map(|key| device.origin.value(key));
     let names: BTreeSet<_> = names.chain(head).collect();
-    for slip in slips::of(device).into_iter().filter(|slip| slip.twice.is_none()) {
+    for slip in report.slips(device).iter().filter(|slip| slip.twice.is_none()) {
         let [at, _] = slip.at;
         if !names.contains(&at) && !OTHERS.iter().any(|(name, _)| *name == slip.key) {
             let message = format!("{} is an empty text", slip.place);
             let diagnostic = Diagnostic::new(&RULE, message, at, "nothing is in it");
-            report.push(slip.place, diagnostic.help("say it, or leave the key out"));
+            report.push(slip.place.clone(), diagnostic.help("say it, or leave the key out"));
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::{Report, slips};
+use crate::lint::Report;
 use crate::model::Device;
 
 rule! {
@@ -35,7 +35,7 @@ const OTHERS: &[(&str, &str)] = &[
 ];
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for slip in slips::of(device) {
+    for slip in &*report.slips(device) {
         let Some(item) = &slip.twice else { continue };
         if OTHERS.iter().any(|(name, _)| *name == slip.key) {
             continue;
@@ -45,6 +45,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let diagnostic = Diagnostic::new(&RULE, message, second, "again here")
             .label(first, "first here")
             .help("leave one of them out, or name what was meant");
-        report.push(slip.place, diagnostic);
+        report.push(slip.place.clone(), diagnostic);
     }
 }
