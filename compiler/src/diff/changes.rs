@@ -98,7 +98,7 @@ fn family<'f>(old: &'f Family, new: &'f Family) -> impl Iterator<Item = Change> 
     let differ = differences(old, new).into_iter().filter(|difference| difference.path.0.len() == 1);
     let is_device = |family: &Family| matches!(family.members.as_slice(), [only] if only.name == family.name);
     let of_device = is_device(old) && is_device(new);
-    let is_own = move |difference: &Difference| match difference.path.0.first().map(String::as_str) {
+    let is_own = move |difference: &Difference| match difference.path.0.first().map(|field| &**field) {
         Some("name") => !of_device,
         Some("about" | "source") => true,
         _ => difference.is_order,
@@ -113,7 +113,7 @@ fn family<'f>(old: &'f Family, new: &'f Family) -> impl Iterator<Item = Change> 
 fn versions(versions: Versions<'_>) -> Vec<Change> {
     let mut found: BTreeMap<Key, (Change, BTreeSet<Option<u8>>)> = BTreeMap::new();
     for difference in differences(versions.old, versions.new) {
-        let path: Vec<&str> = difference.path.0.iter().map(String::as_str).collect();
+        let path: Vec<&str> = difference.path.0.iter().map(|step| &**step).collect();
         let Some(change) = change(versions, &path, &difference) else { continue };
         let (_, axes) = found.entry(key(&change)).or_insert_with(|| (change, BTreeSet::new()));
         axes.insert(versions.repeated(&path).and_then(Repeated::axis));

@@ -134,7 +134,7 @@ fn objects(one: &Object, other: &Object) -> Option<(String, Location)> {
     let whole = differences(one, other).into_iter();
     let whole = whole.map(|difference| (one.index.to_string(), other.index.to_string(), difference));
     let mut found = whole.chain(of_entries).filter(|(_, _, difference)| {
-        difference.path.0.first().is_some_and(|field| !BESIDE.contains(&field.as_str()))
+        difference.path.0.first().is_some_and(|field| !BESIDE.contains(&&**field))
     });
     found.next().map(|(one, same, difference)| {
         let field = difference.path.to_string().replace('_', " ");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{Compare, Device, FieldPath, Place, Section, Shape, Walker};
+use crate::model::{Compare, Device, FieldPath, PathStep, Place, Section, Shape, Walker};
 use crate::source::{Location, Origin};
 
 /// A slip of the pen.
@@ -36,7 +36,7 @@ struct Walk {
 impl Walk {
     fn find(&mut self, path: &FieldPath, twice: Option<String>, items: [Option<usize>; 2]) {
         let Some((depth, origin)) = self.around.last() else { return };
-        if path.0.iter().any(|step| BESIDE.contains(&step.as_str())) {
+        if path.0.iter().any(|step| BESIDE.contains(&&**step)) {
             return;
         }
         let at = items.map(|item| origin.located(path.0.get(*depth..).unwrap_or_default(), item));
@@ -73,12 +73,12 @@ impl Walker for Walk {
 }
 
 /// The place of a part of the model, and its key.
-fn place(path: &[String]) -> Option<(Place, String)> {
+fn place(path: &[PathStep]) -> Option<(Place, String)> {
     let (field, rest) = path.split_first()?;
-    let keys = |steps: &[String]| steps.iter().map(|step| step.replace('_', "-")).collect::<Vec<_>>();
-    let below = |place: Place, steps: &[String]| keys(steps).into_iter().fold(place, Place::at);
+    let keys = |steps: &[PathStep]| steps.iter().map(|step| step.replace('_', "-")).collect::<Vec<_>>();
+    let below = |place: Place, steps: &[PathStep]| keys(steps).into_iter().fold(place, Place::at);
     let key = keys(path).pop()?;
-    let place = match (field.as_str(), rest) {
+    let place = match (&**field, rest) {
         ("objects", [_, entries, address, rest @ ..]) if entries == "entries" => {
             below(Place::parse(address)?, rest)
         }

@@ -43,7 +43,7 @@ macro_rules! compared {
                 let found: &mut dyn FnMut($crate::model::Difference) =
                     &mut |difference| found(difference.written(depth, first, second));
                 $(
-                    path.within(stringify!($field).trim_start_matches("r#"), |path| {
+                    path.within(const { $crate::model::compared::field(stringify!($field)) }, |path| {
                         $crate::model::Compare::compare(&self.$field, &other.$field, path, found);
                     });
                 )*
@@ -53,7 +53,7 @@ macro_rules! compared {
                 let origin = $crate::model::Compare::origin(self);
                 origin.into_iter().for_each(|origin| walker.enter(path, origin));
                 $(
-                    path.within(stringify!($field).trim_start_matches("r#"), |path| {
+                    path.within(const { $crate::model::compared::field(stringify!($field)) }, |path| {
                         $crate::model::Compare::walk(&self.$field, path, walker);
                     });
                 )*
@@ -72,6 +72,14 @@ macro_rules! compared {
     };
 }
 pub(crate) use compared;
+
+/// The name of a field, which may be a word of Rust (`r#type`).
+pub(crate) const fn field(name: &'static str) -> &'static str {
+    match name.as_bytes() {
+        [b'r', b'#', ..] => name.split_at(2).1,
+        _ => name,
+    }
+}
 
 /// A choice as a word.
 pub(crate) fn word(choice: &dyn fmt::Debug) -> String {

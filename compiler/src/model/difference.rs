@@ -1,12 +1,16 @@
 //! What differs between two parts of the model, and where.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use crate::source::{Location, Origin};
 
 /// A way from a part of the model down to a value: `objects`, `0x6040`, `entries`, `0`, `default`.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct FieldPath(pub Vec<String>);
+pub struct FieldPath(pub Vec<PathStep>);
+
+/// A field, or what tells an item of a list from its siblings.
+pub type PathStep = Cow<'static, str>;
 
 /// What differs at a path.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +31,7 @@ pub struct Difference {
 
 impl FieldPath {
     /// Does something one step further down.
-    pub(crate) fn within(&mut self, step: impl Into<String>, act: impl FnOnce(&mut Self)) {
+    pub(crate) fn within(&mut self, step: impl Into<PathStep>, act: impl FnOnce(&mut Self)) {
         self.0.push(step.into());
         act(self);
         self.0.pop();
@@ -51,7 +55,7 @@ impl Difference {
 
 impl Origin {
     /// Where the value of a field was written, or an item of it, as near as the description says it.
-    pub(crate) fn located(&self, steps: &[String], item: Option<usize>) -> Location {
+    pub(crate) fn located(&self, steps: &[PathStep], item: Option<usize>) -> Location {
         let keys = steps.iter().map(|step| key(step)).chain(item.map(|item| item.to_string()));
         let keys: Vec<String> = keys.collect();
         let known = (1..=keys.len()).rev().filter_map(|length| keys.get(..length)).map(|keys| keys.join("."));

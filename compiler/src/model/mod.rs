@@ -75,7 +75,7 @@ pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::{DataType, Item};
 pub use diagnosis::{DiagnosisClass, DiagnosisMessage};
-pub use difference::{Difference, FieldPath};
+pub use difference::{Difference, FieldPath, PathStep};
 pub use enumeration::Enumeration;
 pub use error::{ErrorCode, VendorCode};
 pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Written};

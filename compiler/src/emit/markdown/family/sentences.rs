@@ -43,7 +43,8 @@ pub(super) fn is_version(one: &str, other: &str) -> bool {
 fn opening(text: &str) -> &str {
     const END: &str = "</span>";
     let closes = |part: &str, open, close| part.matches(open).count() == part.matches(close).count();
-    let is_whole = |part: &&str| closes(part, "<span", END) && closes(part, "<sub>", "</sub>");
+    let is_whole =
+        |part: &&str| !part.contains('<') || (closes(part, "<span", END) && closes(part, "<sub>", "</sub>"));
     let mut parts = text.match_indices('.').filter_map(|(stop, _)| {
         let (part, rest) = text.split_at(stop + 1);
         match rest.strip_prefix(END) {
