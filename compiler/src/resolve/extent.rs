@@ -1,5 +1,8 @@
 //! How much a description makes when it is written out: ranges of subindices, and all axes.
 
+#[cfg(test)]
+mod tests;
+
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::model::Index;
 use crate::raw::{RawAxes, RawConfiguration, RawDevice, RawEntries, RawObject, RawPdo};
