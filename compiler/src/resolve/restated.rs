@@ -2,6 +2,9 @@
 //! name 0x1008, the identity 0x1018, the slots of a modular device from 0xF000. A default that the description gives
 //! stays; rules compare it.
 
+#[cfg(test)]
+mod tests;
+
 use crate::model::{DataType, Entry, Identity, Object, Slots, Value};
 use crate::raw::{RawAxes, RawHead};
 use crate::source;
