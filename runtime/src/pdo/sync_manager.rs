@@ -1,5 +1,8 @@
 //! What a sync manager takes.
 
+#[cfg(test)]
+mod tests;
+
 use super::{Carrier, MappedPdo};
 use crate::text::Text;
 

@@ -2,9 +2,9 @@
 
 use devc_runtime::object::{Address, Value};
 use devc_runtime::sdo::CommunicationState::{Operational, PreOperational};
-use devc_runtime::sdo::{AbortCode, Hooks, Server};
+use devc_runtime::sdo::{AbortCode, Hooks, Part, Server};
 
-use crate::device::{GAIN, MIXED, NOTE, SECRET, Tiny};
+use crate::device::{GAIN, LIST, MIXED, NOTE, SECRET, Tiny};
 
 /// Counts what is asked, computes one value, refuses another, and acts on a third.
 #[derive(Default)]
@@ -78,4 +78,22 @@ fn nothing_happens_where_the_table_refuses() {
     assert_eq!(server.upload(missing, Operational, &mut [0; 4]), Err(AbortCode::NO_SUCH_SUBINDEX));
     assert_eq!(server.download(SECRET, Operational, &[42, 0]), Err(AbortCode::LENGTH_TOO_LOW));
     assert_eq!((server.hooks.asked.len(), server.hooks.opened), (0, 0));
+}
+
+/// Of an object as a whole, the firmware is asked for what is going to be read: the entries that there are, up to the number that
+/// subindex 0 has now, and none that cannot be read. Those were asked for when the transfer began.
+#[test]
+fn all_that_is_read_at_once_is_asked_for_once() {
+    let read = |from: Address, skip: usize| {
+        let (mut server, mut buffer) = (server(), [0; 32]);
+        let told = server.upload_complete(from, PreOperational, &mut Part::new(&mut buffer, skip));
+        assert_eq!(told, Ok(()), "{from}");
+        server.hooks.asked.iter().map(|address| address.subindex).collect::<Vec<_>>()
+    };
+    assert_eq!(read(Address::new(LIST, 0), 0), [0, 1, 2]);
+    assert_eq!(read(Address::new(LIST, 1), 0), [1, 2]);
+    assert_eq!(read(Address::new(LIST, 0), 4), []);
+    assert_eq!(read(Address::new(MIXED, 0), 0), [0, 1, 2], "3 is not there, 4 is only written");
+    let refused = server().upload_complete(GAIN, PreOperational, &mut Part::new(&mut [0; 8], 0));
+    assert_eq!(refused, Err(AbortCode::UNSUPPORTED_ACCESS));
 }

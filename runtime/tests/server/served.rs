@@ -117,6 +117,19 @@ fn segments_have_to_come_in_turn() {
     assert_eq!(mailbox.server.values, Tiny::NEW);
 }
 
+/// ETG.1000.6, SDO download: what cannot be written is refused before the data comes, which may take many segments.
+#[test]
+fn a_long_value_is_refused_before_it_comes() {
+    let begin = |address, size| {
+        let request = Request::Download { address, is_complete: false, size: Some(size), data: &[] };
+        raw(&mut mailbox(), request).unwrap()
+    };
+    assert_eq!(aborted(&begin(NOTE, 9)), AbortCode::LENGTH_TOO_HIGH);
+    assert_eq!(aborted(&begin(NAME, 8)), AbortCode::READ_ONLY);
+    assert_eq!(aborted(&begin(Address::new(0x2FFF, 0), 8)), AbortCode::NO_SUCH_OBJECT);
+    assert_eq!(begin(NOTE, 8)[8], 0x60, "it is waited for");
+}
+
 #[test]
 fn a_master_may_give_up() {
     let mut mailbox = mailbox();
