@@ -9,6 +9,7 @@ mod dictionary;
 mod ethercrab;
 mod numbers;
 mod process_data;
+mod texts;
 mod values;
 mod views;
 mod words;

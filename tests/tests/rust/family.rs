@@ -6,7 +6,7 @@ use std::path::Path;
 use devc_generated::{pmc_sc6, s700};
 use devc_runtime::Family;
 use devc_runtime::pdo::{Pdo, ProcessImage};
-use devc_runtime::start_up::{StartUp, Write};
+use devc_runtime::start_up::{BringUp, StartUp, Write};
 use quote::quote;
 use serde_json::Value;
 use syn::{File, Item, ItemMod, UseTree};
@@ -73,6 +73,16 @@ fn a_start_up_list_is_made_once_for_all() {
         let own: [Write; LIST.len()] = StartUp::on::<Outputs, Inputs>(member).writes();
         assert_eq!(own, LIST, "{}", member.name);
     }
+}
+
+#[test]
+fn a_device_that_has_not_the_process_data_takes_no_list_for_it() {
+    let without = |member: &&BringUp| !member.takes::<Mapped>();
+    let member: &'static BringUp = s700::Family::MEMBERS.iter().find(without).expect("not all have it");
+    let refused = std::panic::catch_unwind(|| StartUp::on::<Mapped, Inputs>(member));
+    let said = refused.expect_err("it has not this PDO");
+    let said = said.downcast_ref::<String>().map_or("", String::as_str);
+    assert_eq!(said, format!("{} does not take these images", member.name));
 }
 
 fn path(family: &str, end: &str) -> std::path::PathBuf {

@@ -95,6 +95,30 @@ fn what_is_read_back_is_what_was_written_last() {
     assert_eq!(bytes(&VERIFY), bytes(&last));
 }
 
+/// What is chosen while a program runs is what is chosen while it is compiled.
+#[test]
+fn the_list_is_the_same_where_a_program_runs() {
+    let choice = StartUp::of::<Outputs, Inputs>().mode(1).cycle_ns::<2_000_000>();
+    assert_eq!((choice.len(), choice.verify_len(), choice.is_empty()), (LIST.len(), VERIFY.len(), false));
+    assert_eq!((choice.writes(), choice.verify()), (LIST, VERIFY));
+    assert_eq!(
+        StartUp::on::<Outputs, Inputs>(&s700::BRING_UP).mode(1).cycle_ns::<2_000_000>().writes(),
+        LIST
+    );
+}
+
+#[test]
+#[should_panic(expected = "S300 does not take this cycle time")]
+fn a_cycle_time_that_the_device_does_not_take_is_refused() {
+    let _ = StartUp::of::<Outputs, Inputs>().cycle_ns::<1_000>();
+}
+
+#[test]
+#[should_panic(expected = "the cycle time is not up to 255 of a power of ten of a second")]
+fn a_cycle_time_that_cannot_be_written_is_refused() {
+    let _ = StartUp::of::<Outputs, Inputs>().cycle_ns::<257_000>();
+}
+
 /// What 0x60C2 gets: the count and the power of ten.
 macro_rules! period {
     ($ns:literal) => {{
