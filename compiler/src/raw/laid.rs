@@ -25,11 +25,34 @@ pub(crate) const SHARED: &[&str] = &[
     "trigger",
 ];
 
-/// The object's table with what differs on some axes laid over.
+/// The object's table with what differs on some axes laid over. Reasons for what the object says are none for what it is
+/// said to be there instead.
 pub(super) fn on_axes(differing: &Table, object: &Table) -> Table {
     let mut shared = object.clone();
     shared.members.retain(|member| &*member.key.name != "per-axis");
-    differing.over(&shared)
+    let mut laid = differing.over(&shared);
+    let (own, whole) = (differing.get("assumed"), object.get("assumed"));
+    let is_of_all = whole.is_none_or(|reasons| !matches!(reasons.node.value, Value::Table(_)));
+    if let Some(any) = own.or(whole.filter(|_| !is_of_all)) {
+        let is_said = |key: &str| key != "entries" && differing.get(key).is_some();
+        let of_object = reasons(whole, &shared).into_iter().filter(|reason| !is_said(&reason.key.name));
+        let own = Table { at: any.node.at, members: reasons(own, differing) };
+        let all = own.over(&Table { at: any.node.at, members: of_object.collect() });
+        let node = Node { at: any.node.at, value: Value::Table(Arc::new(all)) };
+        laid.members.retain(|member| &*member.key.name != "assumed");
+        laid.members.push(Member { node, ..any.clone() });
+    }
+    laid
+}
+
+/// Reasons by key: one for all of a table is one for each thing that it says.
+fn reasons(assumed: Option<&Member>, table: &Table) -> Members {
+    let Some(assumed) = assumed else { return Members::default() };
+    let said = table.members.iter().filter(|said| !matches!(&*said.key.name, "assumed" | "source"));
+    match &assumed.node.value {
+        Value::Table(keys) => keys.members.clone(),
+        _ => said.map(|said| Member { node: assumed.node.clone(), ..said.clone() }).collect(),
+    }
 }
 
 /// The table of an entry with what the object's table says for all entries. What a description says there is more than

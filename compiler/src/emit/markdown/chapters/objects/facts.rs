@@ -131,14 +131,15 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// What is said of an entry on another axis that is not said of that of the first, but for what has words of its own.
-pub(super) fn on_axis(context: &Context<'_>, first: &Entry, entry: &Entry) -> Vec<String> {
+/// What is said of an entry on another axis that is not said of that of the first, but for what has words of its own; with the
+/// keys that say it.
+pub(super) fn on_axis(context: &Context<'_>, first: &Entry, entry: &Entry) -> Vec<(&'static str, String)> {
     let told = Facts::of_entry(first).kept();
     let mut own = Facts::of_entry(entry).kept();
     own.retain(|one| !told.contains(one));
     let trigger = entry.trigger.as_ref().filter(|_| first.trigger != entry.trigger);
-    let trigger = trigger.map(|trigger| trigger_text(context, entry, trigger));
-    own.into_iter().map(|(_, text)| text).chain(trigger).map(|text| clause(&text)).collect()
+    let trigger = trigger.map(|trigger| ("trigger", trigger_text(context, entry, trigger)));
+    own.into_iter().chain(trigger).map(|(key, text)| (key, clause(&text))).collect()
 }
 
 /// A sentence as a part of another.

@@ -41,9 +41,12 @@ pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String
             None => groups.push((vec![axis], text)),
         }
     }
+    // one reason for all of the object stands beside its name
+    let has_own = leading.origin.node("assumed.per-axis").is_some();
+    let mark = if has_own { context.mark(&leading.origin, "per-axis") } else { String::new() };
     let told = groups.into_iter().filter(|(_, text)| !text.is_empty());
     let told = told.map(|(axes, text)| {
-        let words = sentence(&format!("on {}: {text}", context.axes(&axes)));
+        let words = sentence(&format!("on {}: {text}", context.axes(&axes))) + &mark;
         context.for_axes(&axes, words)
     });
     told.collect()
@@ -52,77 +55,103 @@ pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String
 /// What is different about an object on its axis, in words.
 fn compare(context: &Context<'_>, leading: &Object, object: &Object) -> Vec<String> {
     let single = is_single(object);
-    let mut changes = Changes::default();
-    changes.note(leading.name != object.name, || format!("called {}", text(&object.name)));
-    changes.note(leading.functional && !object.functional, || NO_FUNCTION.into());
-    changes.prose(context, &leading.about, &object.about);
-    changes.prose(context, &leading.note, &object.note);
-    changes.answers(context, &leading.origin, &object.origin);
+    let mut changes = Changes::new(context, &leading.origin, &object.origin);
+    changes.note(leading.name != object.name, &["name"], || format!("called {}", text(&object.name)));
+    changes.note(leading.functional && !object.functional, &["functional"], || NO_FUNCTION.into());
+    changes.prose("about", &leading.about, &object.about);
+    changes.prose("note", &leading.note, &object.note);
+    let mut changes = changes.all();
     for entry in &object.entries {
-        let mut own = Changes::default();
-        match leading.entry(entry.address.subindex) {
-            Some(first) => compare_entries(context, first, entry, &mut own),
-            None => own.0.push(text(&entry.name)),
-        }
-        own.0.retain(|change| !changes.0.contains(change));
+        let mut own = match leading.entry(entry.address.subindex) {
+            Some(first) => compare_entries(context, first, entry),
+            None => vec![text(&entry.name)],
+        };
+        own.retain(|change| !changes.contains(change));
         let prefix =
             if single { String::new() } else { code(format!(":{:02X}", entry.address.subindex)) + " " };
-        changes.0.extend(own.0.into_iter().map(|change| format!("{prefix}{change}")));
+        changes.extend(own.into_iter().map(|change| format!("{prefix}{change}")));
     }
-    changes.0
+    changes
 }
 
 const NO_FUNCTION: &str = "no function";
 
-fn compare_entries(context: &Context<'_>, first: &Entry, entry: &Entry, changes: &mut Changes) {
+fn compare_entries(context: &Context<'_>, first: &Entry, entry: &Entry) -> Vec<String> {
+    let mut changes = Changes::new(context, &first.origin, &entry.origin);
     let renamed = entry.address.subindex > 0 && first.name != entry.name;
-    changes.note(renamed, || format!("called {}", text(&entry.name)));
-    changes.note(first.functional && !entry.functional, || NO_FUNCTION.into());
-    changes.note(first.data_type != entry.data_type, || entry.data_type.to_string());
-    changes.note(first.access != entry.access, || format!("access {}", access(entry.access)));
-    changes.note(first.pdo != entry.pdo, || format!("PDO {}", mappable(entry.pdo)));
-    changes.note(first.default != entry.default, || format!("default {}", context.default(entry)));
+    changes.note(renamed, &["name"], || format!("called {}", text(&entry.name)));
+    changes.note(first.functional && !entry.functional, &["functional"], || NO_FUNCTION.into());
+    changes.note(first.data_type != entry.data_type, &["type"], || entry.data_type.to_string());
+    changes.note(first.access != entry.access, &["access"], || format!("access {}", access(entry.access)));
+    changes.note(first.pdo != entry.pdo, &["pdo"], || format!("PDO {}", mappable(entry.pdo)));
+    let default = || format!("default {}", context.default(entry));
+    changes.note(first.default != entry.default, &["default"], default);
     let ranges = [first, entry].map(|entry| context.range(entry));
-    changes.note(ranges[0] != ranges[1], || format!("range {}", ranges[1]));
-    changes.note(first.unit != entry.unit, || format!("unit {}", context.unit(entry)));
+    changes.note(ranges[0] != ranges[1], &["min", "max"], || format!("range {}", ranges[1]));
+    changes.note(first.unit != entry.unit, &["unit"], || format!("unit {}", context.unit(entry)));
     let parameter = entry.parameter.as_deref().filter(|_| first.parameter != entry.parameter);
-    changes.0.extend(parameter.map(|parameter| format!("parameter {}", text(parameter))));
+    let parameter = parameter.map(|parameter| format!("parameter {}", text(parameter)));
+    changes.maybe("parameter", parameter);
     let window = entry.written.filter(|_| first.written != entry.written);
-    changes.0.extend(window.map(|window| format!("written in {}", code(window.name()))));
-    changes.note(first.values != entry.values, || {
+    changes.maybe("written", window.map(|window| format!("written in {}", code(window.name()))));
+    changes.note(first.values != entry.values, &["values"], || {
         let values = entry
             .values
             .iter()
             .map(|it| format!("{} {}", context.number_of(entry, it.value.into()), text(&it.name)));
         format!("values {}", list(values))
     });
-    changes.0.extend(on_axis(context, first, entry));
-    changes.prose(context, &first.about, &entry.about);
-    changes.prose(context, &first.note, &entry.note);
-    changes.answers(context, &first.origin, &entry.origin);
+    on_axis(context, first, entry).into_iter().for_each(|(key, text)| changes.maybe(key, Some(text)));
+    changes.prose("about", &first.about, &entry.about);
+    changes.prose("note", &first.note, &entry.note);
+    changes.all()
 }
 
-/// What is different, in words.
-#[derive(Default)]
-struct Changes(Vec<String>);
+/// What is different, in words, each with the marks of what no source states.
+struct Changes<'c> {
+    context: &'c Context<'c>,
+    first: &'c Origin,
+    own: &'c Origin,
+    told: Vec<String>,
+    marked: Vec<String>,
+}
 
-impl Changes {
-    fn note(&mut self, different: bool, words: impl Fn() -> String) {
-        self.0.extend(different.then(words));
+impl<'c> Changes<'c> {
+    fn new(context: &'c Context<'c>, first: &'c Origin, own: &'c Origin) -> Self {
+        Self { context, first, own, told: Vec::new(), marked: Vec::new() }
     }
 
-    /// What errata have changed, or doubt, on this axis only.
-    fn answers(&mut self, context: &Context<'_>, first: &Origin, own: &Origin) {
-        let told = facts(own).into_iter().filter(|(path, who)| {
-            let is_answer = matches!(who, Provenance::Corrected(_) | Provenance::Contradicted(_));
-            context.editorial && is_answer && provenance(first, path) != *who
-        });
-        self.0.extend(told.map(|(path, _)| format!("{}{}", text(&path), context.mark(own, &path))));
-    }
-
-    fn prose(&mut self, context: &Context<'_>, first: &Option<String>, own: &Option<String>) {
-        if first != own {
-            self.0.extend(own.iter().map(|own| context.prose(own)));
+    fn note(&mut self, different: bool, keys: &[&str], words: impl FnOnce() -> String) {
+        if different {
+            let keys: Vec<&str> =
+                keys.iter().filter(|key| self.departs(key, &provenance(self.own, key))).copied().collect();
+            self.told.push(words() + &self.context.marks(self.own, &keys));
+            self.marked.extend(keys.into_iter().map(str::to_owned));
         }
+    }
+
+    fn maybe(&mut self, key: &str, words: Option<String>) {
+        words.into_iter().for_each(|words| self.note(true, &[key], || words));
+    }
+
+    fn prose(&mut self, key: &str, first: &Option<String>, own: &Option<String>) {
+        let own = own.as_ref().filter(|_| first != own);
+        self.maybe(key, own.map(|own| self.context.prose(own)));
+    }
+
+    /// Whether somebody else than on the first axis says what no source states.
+    fn departs(&self, key: &str, who: &Provenance) -> bool {
+        let is_stated = matches!(who, Provenance::Stated | Provenance::Profile | Provenance::Derived);
+        self.context.editorial && !is_stated && provenance(self.first, key) != *who
+    }
+
+    /// All of it, and last what is assumed, corrected or contradicted on this axis only and shows no difference.
+    fn all(self) -> Vec<String> {
+        let others = facts(self.own).into_iter();
+        let others = others
+            .filter(|(path, who)| !self.marked.contains(path) && self.departs(path, who))
+            .map(|(path, _)| format!("{}{}", text(&path), self.context.mark(self.own, &path)));
+        let others: Vec<String> = others.collect();
+        self.told.into_iter().chain(others).collect()
     }
 }
