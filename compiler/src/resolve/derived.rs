@@ -36,7 +36,7 @@ pub(super) fn dictionary(
         let index = overlay.index;
         let place = match objects.binary_search_by_key(&index, |object| object.index) {
             Ok(place) => place,
-            // One that nothing leads to, and that is described as a whole, is an object as any other.
+            // One of a device without sync managers, and one that is described as a whole, is an object as any other.
             Err(place) if is_whole(&overlay) => {
                 let object = super::objects::object(context, &overlay, index, None);
                 object.into_iter().for_each(|object| objects.insert(place, object));

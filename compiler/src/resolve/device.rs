@@ -31,7 +31,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         family: _, enumerations: _, coordinates: _, offered: _, lints: _,
     } = raw;
     let (head, identity) = (head?, identity?);
-    let mut described = objects::objects(context, objects);
+    let mut described = objects::objects(context, objects, &pdos::indices(context, [&rx_pdos, &tx_pdos]));
     let modules = sorted(modules, |module| module.ident);
     let of_slots =
         Slots { axes: &context.axes, shifts: &context.shifts, modules: &modules, profile: head.profile };

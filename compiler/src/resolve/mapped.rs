@@ -113,13 +113,25 @@ fn one(
             // Once is enough: what is not there on the first axis is not there on the others.
             if let Some(address) = context.address(text, at)
                 && axis.is_none_or(|axis| axis == 0)
-                && let Some(object) = objects::at(objects, address.index)
             {
-                context.no_entry(object, address, at);
+                match objects::at(objects, address.index) {
+                    Some(object) => context.no_entry(object, address, at),
+                    None => unmappable(context, address, at),
+                }
             }
             None
         }
     }
+}
+
+/// Reports that an object is mapped which is made only when all PDOs are known.
+fn unmappable(context: &mut Context<'_>, address: Address, at: Location) {
+    let message = format!("{address} cannot be in a PDO");
+    let label = "what is mapped and assigned stands there, which follows from the PDOs";
+    let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, label);
+    context
+        .diagnostics
+        .push(fault.help("leave it out, or say its `type` if the device maps it all the same"));
 }
 
 /// An entry of the dictionary as it is mapped; `bare` is what is known without it.

@@ -1,5 +1,6 @@
 //! The described part of the dictionary.
 
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
 use super::context::Context;
@@ -15,12 +16,13 @@ pub(super) struct Described {
     pub(super) overlays: Vec<RawObject>,
 }
 
-/// Resolves each described object on each axis; sets aside what is said of objects that devc makes.
-pub(super) fn objects(context: &mut Context<'_>, raw: Vec<RawObject>) -> Described {
+/// Resolves each described object on each axis; sets aside what is said of objects that devc makes. What lies among the
+/// mapping objects, as PDO parameters do, and belongs to none of the `pdos` is an object as any other.
+pub(super) fn objects(context: &mut Context<'_>, raw: Vec<RawObject>, pdos: &BTreeSet<Index>) -> Described {
     let mut described = Described { objects: Vec::new(), overlays: Vec::new() };
     for entity in raw {
         let index = entity.index;
-        if index.is_derived() {
+        if index.is_derived() && (index >= Index(0x1C00) || pdos.contains(&index)) {
             described.overlays.push(entity);
             continue;
         }

@@ -1,6 +1,6 @@
 //! PDOs on each axis, laid out bit by bit.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use super::context::Context;
@@ -43,6 +43,12 @@ pub(super) fn of_both_ways(
     all.extend(pdos(context, sent, Direction::Tx, objects));
     report_duplicates(context, &all);
     all
+}
+
+/// The indices of all PDOs: of their mapping objects, which follow from them.
+pub(super) fn indices(context: &Context<'_>, pdos: [&[RawPdo]; 2]) -> BTreeSet<Index> {
+    let described = pdos.into_iter().flatten().filter_map(|it| Some((it, names::index(&it.key)?)));
+    described.flat_map(|(it, index)| copies(context, it, index)).map(|(_, index)| index).collect()
 }
 
 /// Where mapping objects can lie. Which part of it is for which direction is for a rule to say.
