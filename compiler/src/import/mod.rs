@@ -54,6 +54,12 @@ pub struct Refusal {
     pub choices: Vec<String>,
 }
 
+/// What of an earlier import may lie beside its `device.toml`, of which the text is given: the names of files, each with how
+/// it begins. Nothing if no import made it.
+pub fn earlier(device: &str) -> Vec<(&'static str, String)> {
+    write::earlier(device)
+}
+
 /// Imports a device of an ESI file, of an EDS, or of the list that `ethercat sdos` prints. `name` is the file's, for the
 /// description to refer to.
 ///
@@ -61,6 +67,9 @@ pub struct Refusal {
 /// If the file is none of these, or has no such device, or several to choose from.
 pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Refusal> {
     let text = read::text(bytes).map_err(|why| Refusal { place: None, why, choices: Vec::new() })?;
+    if let Some(encoding) = read::foreign(bytes, &text) {
+        return Err(Refusal { place: Some((1, 1)), why: unread(encoding), choices: Vec::new() });
+    }
     let format = Format::of(&text);
     let mut report = Report::default();
     let odd = text.char_indices().find(|(_, c)| *c != '\r' && hazard(*c).is_some());
@@ -68,8 +77,8 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
         report.guess(read::At(at), what, "descriptions have no place for it, and � stands there instead");
     }
     let mut pictures = BTreeMap::new();
-    for (at, what, why) in read::doubts(bytes, &text) {
-        report.guess(at, what, why);
+    if let Some((at, why)) = read::entities(&text) {
+        report.guess(at, "entities", why);
     }
     let (name_of_it, mut draft) = match format {
         Format::Esi => of_esi(&text, choice, &mut pictures, &mut report)?,
@@ -81,6 +90,14 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
     let id = crate::model::ids::id(&name_of_it);
     let files = checked(&draft, format, name, &pictures)?;
     Ok(Imported { id, files, pictures, report })
+}
+
+/// Why a file in such an encoding is not read, and how it can be.
+fn unread(encoding: &str) -> String {
+    // A name from a file stands in a command only if a shell takes it for a word.
+    let is_word = encoding.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c));
+    let command = if is_word { format!(", as `iconv -f {encoding} -t UTF-8` does") } else { String::new() };
+    format!("it is in `{}`, which is not read; save it as UTF-8{command}", report::shortened(encoding))
 }
 
 /// A device of an ESI file, or several that are a family.
@@ -150,6 +167,9 @@ fn refusal(text: &str, (at, why): (read::At, String)) -> Refusal {
     Refusal { place: Some(place(text, at)), why, choices: Vec::new() }
 }
 
+/// What a mapping object has room for, CiA 301: subindex 255 is kept.
+const MOST_MAPPED: usize = 254;
+
 /// A device of a file as a description, with the word for it and its name.
 fn member(
     (info, element): (&Element<'_>, &Element<'_>),
@@ -158,6 +178,11 @@ fn member(
     let (mut device, modules) = read::device(info, element);
     if let Some(at) = device.excess {
         return Err((at, "its dictionary has more values than devc holds".to_owned()));
+    }
+    let mut pdos = device.rx_pdos.iter().chain(&device.tx_pdos);
+    if let Some(pdo) = pdos.find(|pdo| pdo.entries.len() > MOST_MAPPED) {
+        let why = format!("its PDO 0x{:04X} has {} entries; {MOST_MAPPED} fit", pdo.index, pdo.entries.len());
+        return Err((pdo.at, why));
     }
     let parts = || std::iter::once(&element).chain(&modules);
     report.facts += parts().map(|part| part.facts()).sum::<usize>();

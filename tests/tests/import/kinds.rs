@@ -33,8 +33,7 @@ fn a_drive_means_the_same_after_the_round_trip() {
     let trip = trip(DRIVE.as_bytes(), 1).expect("a round trip");
     assert!(trip.facts > 200, "{}", trip.facts);
     assert_eq!(trip.changed, []);
-    let lost = trip.imported.report.notes.iter().filter(|note| note.kind == NoteKind::Lost);
-    assert_eq!(lost.collect::<Vec<_>>(), Vec::<&devc::import::Note>::new());
+    assert_eq!(trip.imported.report.lost(), 0, "{:?}", trip.imported.report.notes);
 }
 
 #[test]

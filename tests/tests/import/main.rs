@@ -23,5 +23,6 @@ mod sheets;
 mod special;
 mod start_up;
 mod texts;
+mod told;
 mod transport;
 mod unusual;

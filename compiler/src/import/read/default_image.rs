@@ -21,6 +21,7 @@ pub(super) fn device(objects: Vec<Object>) -> Device {
     let maps = objects.iter().filter(is_mapping).any(|object| writable(object.index));
     let mailbox = Mailbox {
         protocols: vec!["CoE".to_owned()],
+        acknowledged: true,
         pdo_assign: (ASSIGNMENTS..=0x1C2F).any(writable),
         pdo_config: maps,
         ..Mailbox::default()

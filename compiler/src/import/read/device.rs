@@ -122,7 +122,7 @@ fn profile_number(profile: &Element<'_>) -> Option<u32> {
 }
 
 fn mailbox(element: &Element<'_>) -> Mailbox {
-    element.attribute_as("DataLinkLayer", |text| truth(text).filter(|on| *on));
+    let acknowledged = element.attribute_as("DataLinkLayer", |text| truth(text).filter(|on| *on));
     let known = ["AoE", "CoE", "EoE", "FoE", "SoE", "VoE"];
     let protocols = element.children().iter().map(Element::name).filter(|name| known.contains(name));
     let protocols: Vec<String> = protocols.map(str::to_owned).collect();
@@ -143,6 +143,7 @@ fn mailbox(element: &Element<'_>) -> Mailbox {
     Mailbox {
         at: element.at(),
         protocols,
+        acknowledged: acknowledged.is_some(),
         sdo_info: flag("SdoInfo"),
         pdo_assign: flag("PdoAssign"),
         pdo_config: flag("PdoConfig"),

@@ -1,4 +1,4 @@
-//! What of a file may not be read as it is meant: its encoding, and entities of its own.
+//! What of a file is not read as it is meant: an encoding that is not known, and entities of its own.
 
 use super::element::At;
 
@@ -6,21 +6,16 @@ use super::element::At;
 const KNOWN: [&str; 9] =
     ["utf8", "utf16", "utf16le", "utf16be", "iso88591", "latin1", "windows1252", "cp1252", "usascii"];
 
-/// Each doubt with its place, what it is about, and what was done.
-pub(in super::super) fn doubts(bytes: &[u8], text: &str) -> Vec<(At, &'static str, String)> {
-    let encoding = declared(text).filter(|name| std::str::from_utf8(bytes).is_err() && !is_known(name));
-    let encoding = encoding.map(|name| {
-        let why = format!("`{name}` is none that is read; Windows-1252 is taken, so other letters are wrong");
-        (At(0), "the encoding", why)
-    });
-    let entity = text.find("<!ENTITY").map(|at| {
-        (
-            At(at),
-            "entities",
-            "none of a file's own is followed; where one is named stands its name".to_owned(),
-        )
-    });
-    encoding.into_iter().chain(entity).collect()
+/// The encoding in which a file says that it is, if it is not known and the bytes are not UTF-8. Taken for another one, names
+/// would be others.
+pub(in super::super) fn foreign<'t>(bytes: &[u8], text: &'t str) -> Option<&'t str> {
+    declared(text).filter(|name| std::str::from_utf8(bytes).is_err() && !is_known(name))
+}
+
+/// Entities that are not followed, with their place and what was done.
+pub(in super::super) fn entities(text: &str) -> Option<(At, &'static str)> {
+    let at = text.find("<!ENTITY")?;
+    Some((At(at), "none of a file's own is followed; where one is named stands its name"))
 }
 
 /// What the declaration of XML says of the encoding.

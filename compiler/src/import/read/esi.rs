@@ -176,6 +176,8 @@ pub(crate) struct Mailbox {
     pub(crate) at: At,
     /// The protocols by the names of their elements.
     pub(crate) protocols: Vec<String>,
+    /// Whether the file says that mail is acknowledged.
+    pub(crate) acknowledged: bool,
     pub(crate) sdo_info: bool,
     pub(crate) pdo_assign: bool,
     pub(crate) pdo_config: bool,

@@ -7,6 +7,7 @@ use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::draft::Block;
 use super::sync_managers::{self, Manager};
+use super::types::data_type;
 use super::words;
 use crate::model::{Access, Category, WriteWindow};
 
@@ -42,7 +43,10 @@ pub(super) fn room(objects: &[&Object], index: u16) -> usize {
 
 /// Whether an object follows from a PDO or a sync manager of the device. If not, it is an object as any other.
 pub(super) fn follows(object: &Object, basis: &Basis<'_>) -> bool {
-    let is_empty = object.index >= ASSIGNMENTS && object.values.iter().all(|value| value.subindex == 0);
+    let is_nothing = |value: &Value| data_type(&value.type_name, value.bits).is_none();
+    let mut values = object.values.iter();
+    let is_empty =
+        object.index >= ASSIGNMENTS && values.all(|value| value.subindex == 0 || is_nothing(value));
     is_derived(object.index) && (is_empty || made(object.index, basis).is_some())
 }
 
@@ -57,11 +61,12 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
         values: Vec::new(),
     });
     let mut keys = Keys::new();
-    if let Some(name) = object.name.as_ref().filter(|name| !words::alike(name, &made.name)) {
+    let own_name = object.name.as_ref();
+    if let Some(name) = own_name.filter(|it| words::is_other(it, Some(&made.name), object.at, report)) {
         set(&mut keys, "name", Toml::text(name));
     }
     let entries: Vec<&Value> = object.values.iter().filter(|value| value.subindex > 0).collect();
-    let category = category(&entries, report);
+    let category = category(object, &entries, report);
     contradictions(object, &made, report);
     let all = entries.first().map(|entry| entry.flags.access.as_deref().and_then(words::access_of));
     let besides = besides(object, &entries, all.flatten(), report);
@@ -123,9 +128,12 @@ pub(super) fn word(entry: &PdoEntry) -> u64 {
     u64::from(entry.bits & 0xFF) | if entry.index == 0 { 0 } else { place }
 }
 
-/// Whether a profile demands the entries.
-fn category(entries: &[&Value], report: &mut Report) -> Option<Category> {
+/// Whether a profile demands the entries, or, where there are none, the object.
+fn category(object: &Object, entries: &[&Value], report: &mut Report) -> Option<Category> {
     let of = |value: &&Value| value.flags.category.as_deref().and_then(words::category_of);
+    if entries.is_empty() {
+        return object.flags.category.as_deref().and_then(words::category_of);
+    }
     let first = entries.iter().find_map(of)?;
     for other in entries.iter().filter(|entry| of(entry).is_some_and(|category| category != first)) {
         let what = format!("the category of subindex {} of what follows from PDOs", other.subindex);

@@ -47,7 +47,12 @@ pub(super) fn described(object: &Object, units: &Units, report: &mut Report) -> 
     }
     values.sort_by_key(|value| value.subindex);
     // What has nothing but subindex 0 is a single value, however its type is declared.
-    let kind = if matches!(values.as_slice(), [only] if only.subindex == 0) { Kind::Var } else { kind };
+    let is_single = kind != Kind::Var && matches!(values.as_slice(), [only] if only.subindex == 0);
+    if is_single {
+        let what = format!("the {} 0x{:04X}", words::kind(kind), object.index);
+        report.lose(object.at, 0, what, "it has subindex 0 only, and is a single value");
+    }
+    let kind = if is_single { Kind::Var } else { kind };
     let nothing = values.is_empty();
     (!nothing).then(|| Described {
         at: object.at,

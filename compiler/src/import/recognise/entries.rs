@@ -88,10 +88,8 @@ pub(super) fn tables(
             known.retain(|(known, _)| known != name);
             set(&mut known, name, value.clone());
         }
-        let name = member
-            .name
-            .clone()
-            .filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
+        let name =
+            member.name.clone().filter(|name| words::is_other(name, base_name.as_deref(), object.at, report));
         let fixed = described.contains(&member.subindex);
         let own = Own {
             first: member.subindex,

@@ -15,6 +15,10 @@ pub(super) fn mailbox(device: &Device, report: &mut Report) -> Option<Block> {
         report.lose(mailbox.at, 0, "Mailbox", "it has none of the protocols that descriptions know");
         return None;
     }
+    if !mailbox.acknowledged {
+        let why = "the file does not say that mail is acknowledged; it is taken to be";
+        report.guess(mailbox.at, "DataLinkLayer", why);
+    }
     let mut keys = Keys::new();
     let mut protocols = mailbox.protocols.clone();
     protocols.dedup();

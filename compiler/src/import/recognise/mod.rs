@@ -69,7 +69,7 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let mut draft = Draft { profiles, picture: device.picture.clone(), ..Draft::default() };
     draft.device = head::blocks(esi, device, report);
     let axes = Axes::of(&described, &device.slots, [&rx, &tx]);
-    let references = References::of(&described, &known, &axes);
+    let references = References::of(&described, &made, &known, &axes);
     let of_axes = channels::channels(device, &described, &axes, report);
     draft.device.extend(axes.block(&described, of_axes, report));
     draft.device.extend(slots::modules(device, &axes, report));
@@ -205,7 +205,7 @@ fn sync_units(device: &Device, basis: &Basis<'_>, report: &mut Report) -> Vec<St
         let name = device.sync_units.get(number).filter(|name| !name.is_empty());
         let first = || pdos().find(|pdo| pdo.su.map(usize::from) == Some(number));
         if let Some(pdo) = first().filter(|_| name.is_none()) {
-            let why = format!("it has none; `unit-{number}` is taken");
+            let why = "it has none; `unit-` and its number are taken";
             report.guess(pdo.at, "the name of a sync unit", why);
         }
         name.cloned().unwrap_or_else(|| format!("unit-{number}"))

@@ -17,8 +17,8 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
     let mut keys = Keys::new();
     let mut without = Vec::new();
     let base_name = base.and_then(Base::name);
-    let name =
-        object.name.as_ref().filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
+    let own_name = object.name.as_ref();
+    let name = own_name.filter(|name| words::is_other(name, base_name.as_deref(), object.at, report));
     if let Some(name) = name {
         set(&mut keys, "name", Toml::text(name));
     }
@@ -27,8 +27,10 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
         Kind::Var => var(object, base, &mut keys, &mut without),
         Kind::Array | Kind::Record => several(object, base, &mut keys, &mut without, report),
     }
+    let of_profile = base.map(Base::value).unwrap_or_default();
     if let Some(about) = &object.about
         && get(&keys, "about").is_none()
+        && get(&of_profile, "about").is_none_or(|known| *known != Toml::text(words::one_line(about)))
     {
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
         keys.insert(place, ("about".to_owned(), Toml::text(about)));

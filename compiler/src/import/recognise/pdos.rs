@@ -174,8 +174,10 @@ pub(super) fn mapped(entry: &PdoEntry, references: &References, report: &mut Rep
         keys.push(bits());
     }
     keys.extend(own_type.map(|own| ("type".to_owned(), Toml::text(own.to_string()))));
-    let other = |name: &&String| target.name.as_ref().is_none_or(|known| !words::alike(known, name));
-    keys.extend(entry.name.as_ref().filter(other).map(named));
+    let own = entry.name.as_ref();
+    keys.extend(
+        own.filter(|name| words::is_other(name, target.name.as_deref(), entry.at, report)).map(named),
+    );
     let is_other =
         keys.iter().any(|(key, _)| key == "name") || words::in_languages(&entry.names) != target.names;
     keys.extend(names.filter(|_| is_other));

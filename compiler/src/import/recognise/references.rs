@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::super::read::Object;
 use super::super::toml::{Toml, get};
 use super::axes::Axes;
 use super::described::Described;
@@ -26,14 +27,15 @@ pub(super) struct Target {
 }
 
 impl References {
-    /// An object is named by its id where no other has it; all else by index.
-    pub(super) fn of(objects: &[Described], known: &Known, axes: &Axes) -> Self {
+    /// An object is named by its id where no other has it, and none of those that are `made` of the PDOs; all else by index.
+    pub(super) fn of(objects: &[Described], made: &[&Object], known: &Known, axes: &Axes) -> Self {
         let id = |object: &Described| {
             let base = known.object(object.index);
             base.and_then(Base::id).or_else(|| object.name.as_deref().map(ids::id))
         };
         let mut times: BTreeMap<String, usize> = BTreeMap::new();
-        for id in objects.iter().filter_map(id) {
+        let of_made = made.iter().filter_map(|object| object.name.as_deref().map(ids::id));
+        for id in objects.iter().filter_map(id).chain(of_made) {
             *times.entry(id).or_default() += 1;
         }
         let mut targets = BTreeMap::new();

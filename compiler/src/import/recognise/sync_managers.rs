@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::read::{Fmmu, Pdo, Sm};
+use super::super::read::{At, Fmmu, Pdo, Sm};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::draft::Block;
@@ -193,11 +193,21 @@ fn keys(
 /// Reports mapping units that are not those that follow from the sync managers, in their usual order.
 pub(super) fn fmmus(fmmus: &[Fmmu], managers: &[Manager<'_>], pdos: [&[&Pdo]; 2], report: &mut Report) {
     let usual = [(Role::Outputs, "outputs"), (Role::Inputs, "inputs"), (Role::MailboxIn, "mboxstate")];
-    let mut made = usual
-        .into_iter()
-        .flat_map(|(role, name)| managers.iter().filter(move |it| it.role == role).map(move |it| (name, it)));
+    let of_role = |(role, name)| managers.iter().filter(move |it| it.role == role).map(move |it| (name, it));
+    let made: Vec<(&str, &Manager<'_>)> = usual.into_iter().flat_map(of_role).collect();
+    let mut left = made.as_slice();
+    let unsaid = |units: &[(&str, &Manager<'_>)], at: At, report: &mut Report| {
+        for (name, _) in units {
+            let why = "the file has none here; mapping units follow from the sync managers";
+            report.guess(at, format!("Fmmu `{name}`"), why);
+        }
+    };
     for Fmmu { at, name, sm, su } in fmmus {
-        let unit = made.by_ref().find(|(made, _)| name.eq_ignore_ascii_case(made));
+        let place = left.iter().position(|(made, _)| name.eq_ignore_ascii_case(made));
+        let (skipped, rest) = left.split_at(place.unwrap_or(0));
+        unsaid(skipped, *at, report);
+        let unit = rest.first().filter(|_| place.is_some());
+        left = rest.get(usize::from(place.is_some())..).unwrap_or_default();
         let facts = match unit {
             None => usize::from(!name.is_empty()) + usize::from(sm.is_some()),
             Some((_, manager)) => usize::from(sm.is_some_and(|sm| sm != manager.number)),
@@ -212,5 +222,8 @@ pub(super) fn fmmus(fmmus: &[Fmmu], managers: &[Manager<'_>], pdos: [&[&Pdo]; 2]
         if su.is_some_and(|number| !follows(number)) {
             report.lose(*at, 1, "Fmmu/@Su", "the PDOs that it maps are not all of this sync unit");
         }
+    }
+    if let Some(last) = fmmus.last() {
+        unsaid(left, last.at, report);
     }
 }

@@ -1,6 +1,7 @@
 //! The words that descriptions and ESI files have for the same.
 
-use super::super::read::{Property, Texts};
+use super::super::read::{At, Property, Texts};
+use super::super::report::Report;
 use super::super::toml::{Toml, set_some};
 use crate::model::{Access, Category, Kind, Mappable, WriteWindow};
 
@@ -120,6 +121,21 @@ pub(super) fn alike(one: &str, other: &str) -> bool {
         text.chars().filter(|char| char.is_alphanumeric()).flat_map(char::to_lowercase).collect()
     };
     letters(one) == letters(other)
+}
+
+/// A text in several lines as one line, as an ESI has it.
+pub(super) fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Whether a name is another than the one `known`, which is taken where only the spelling differs.
+pub(super) fn is_other(name: &str, known: Option<&str>, at: At, report: &mut Report) -> bool {
+    let Some(known) = known.filter(|known| alike(known, name)) else { return true };
+    if known != name {
+        let why = "letters and signs differ from those of its profile or its object, which are taken";
+        report.lose(at, 0, "the spelling of a name", why);
+    }
+    false
 }
 
 /// Whether a name says no more than the subindex, as `SubIndex 001` or `Elements`.

@@ -13,6 +13,29 @@ use layout::Section;
 /// How many lines a description may have in one file.
 const MOST_LINES: usize = 150;
 
+/// The files besides `device.toml`, with what they are headed by.
+const PARTS: [(&str, &str); 4] = [
+    ("members.toml", "What members have of their own"),
+    ("pdos.toml", "Process data"),
+    ("objects.toml", "The dictionary"),
+    ("diagnosis.toml", "Messages of the diagnosis history"),
+];
+
+/// What of an earlier import may lie beside its `device.toml`, of which the text is given: the names of files, each with how
+/// it begins.
+pub(super) fn earlier(device: &str) -> Vec<(&'static str, String)> {
+    let from = device.lines().next().and_then(|line| line.strip_prefix("# Imported from "));
+    let Some(from) = from.and_then(|line| line.strip_suffix(FROM_NOW_ON)) else { return Vec::new() };
+    PARTS.into_iter().map(|(name, title)| (name, beginning(title, from))).collect()
+}
+
+/// How the first line of a description ends.
+const FROM_NOW_ON: &str = "; from now on this is the source.";
+
+fn beginning(title: &str, from: &str) -> String {
+    format!("# {title}.\n\nsource = {}\n", Toml::text(from).inline())
+}
+
 /// The files of a description by name. `from` is the name of the file that it comes from, `lints` are rules that it
 /// breaks.
 pub(super) fn files(draft: &Draft, format: Format, from: &str, lints: &[String]) -> BTreeMap<String, String> {
@@ -21,12 +44,9 @@ pub(super) fn files(draft: &Draft, format: Format, from: &str, lints: &[String])
     let diagnosis = Section::of(&draft.diagnosis).text();
     let members = Section::of(&draft.members).text();
     let device = Section::of(&draft.device).text();
-    let parts = [
-        ("members.toml", "What members have of their own", members),
-        ("pdos.toml", "Process data", pdos),
-        ("objects.toml", "The dictionary", objects),
-        ("diagnosis.toml", "Messages of the diagnosis history", diagnosis),
-    ];
+    let texts = [members, pdos, objects, diagnosis];
+    let parts: Vec<_> =
+        PARTS.into_iter().zip(texts).map(|((name, title), text)| (name, title, text)).collect();
     let lines: usize = parts.iter().map(|(_, _, text)| text.lines().count()).sum();
     let apart = lines > MOST_LINES;
     let included: Vec<&str> =
@@ -36,10 +56,7 @@ pub(super) fn files(draft: &Draft, format: Format, from: &str, lints: &[String])
     let mut files = BTreeMap::new();
     for (name, title, text) in parts.into_iter().filter(|part| !part.2.is_empty()) {
         if apart {
-            files.insert(
-                name.to_owned(),
-                format!("# {title}.\n\nsource = {}\n\n{text}", Toml::text(from).inline()),
-            );
+            files.insert(name.to_owned(), format!("{}\n{text}", beginning(title, from)));
         } else {
             main.push_str(&text);
         }
@@ -51,7 +68,7 @@ pub(super) fn files(draft: &Draft, format: Format, from: &str, lints: &[String])
 
 /// What stands before the first table.
 fn head(draft: &Draft, from: &str, included: &[&str]) -> String {
-    let mut text = format!("# Imported from {from}; from now on this is the source.\n\n");
+    let mut text = format!("# Imported from {from}{FROM_NOW_ON}\n\n");
     if !draft.remarks.is_empty() {
         text += &(layout::remarks(&draft.remarks) + "\n");
     }
