@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use devc::format::format;
-use devc::import::{Choice, Imported, Refusal, import};
+use devc::import::{Choice, Imported, Refusal, earlier, import};
 use devc::source::{MAX_SIZE, plain};
 
 use super::draft::Draft;
@@ -68,7 +68,12 @@ impl Import {
         let files = laid_out.iter().map(|(path, text)| (path.clone(), text.as_bytes()));
         let pictures = imported.pictures.iter().map(|(name, bytes)| (out.join(name), bytes.as_slice()));
         let losses = losses.iter().map(|(path, text)| ((*path).clone(), text.as_bytes()));
+        let outdated = if self.overwrite { outdated(&out, &imported)? } else { Vec::new() };
         self.write(&files.chain(pictures).chain(losses).collect::<Vec<_>>(), report)?;
+        for path in outdated {
+            fs::remove_file(&path).map_err(|error| Failure::at("remove", &path, &error))?;
+            report.line(&format!("{}: removed, since this import has no such file", path.display()));
+        }
         report.message(imported.report.text(&file).trim_end());
         let names = imported.files.keys().chain(imported.pictures.keys());
         let names: Vec<&str> = names.map(String::as_str).collect();
@@ -101,6 +106,21 @@ impl Import {
         let failure = Failure::new(format!("`{}` is there already", path.display()));
         Err(failure.help("give another folder by `--out`, or say `--overwrite`"))
     }
+}
+
+/// The files of an earlier import that the new one has not: those that begin as that import wrote them.
+fn outdated(out: &Path, imported: &Imported) -> Result<Vec<PathBuf>, Failure> {
+    let Some(device) = existing::read(&out.join("device.toml"), MAX_SIZE)? else { return Ok(Vec::new()) };
+    let mut outdated = Vec::new();
+    for (name, beginning) in earlier(&String::from_utf8_lossy(&device)) {
+        let path = out.join(name);
+        let is_new = imported.files.contains_key(name);
+        if !is_new && existing::read(&path, 0)?.is_some_and(|it| it.starts_with(beginning.as_bytes())) {
+            existing::be_writable(&path)?;
+            outdated.push(path);
+        }
+    }
+    Ok(outdated)
 }
 
 /// The description of a device of an ESI file, which says that its facts are from the file, or from what it is `called`:

@@ -71,6 +71,26 @@ fn files_that_are_there_stay_unless_the_user_says_otherwise() {
 }
 
 #[test]
+fn files_of_an_earlier_import_go_with_it() {
+    let desk = desk();
+    let earlier = "# Imported from old.xml; from now on this is the source.\n";
+    desk.put("mine/device.toml", earlier);
+    desk.put("mine/objects.toml", "# The dictionary.\n\nsource = \"old.xml\"\n\n[objects]\n");
+    // Of another file, and somebody's own.
+    desk.put("mine/pdos.toml", "# Process data.\n\nsource = \"other.xml\"\n");
+    desk.put("mine/diagnosis.toml", "# mine\n");
+    let run = desk.devc(&["import", "drive.xml", "--device", "Valve", "--out", "mine", "--overwrite"]);
+    assert_eq!(run.code, Some(0), "{}", run.err);
+    assert!(run.out.contains("objects.toml: removed"), "{}", run.out);
+    assert_eq!(desk.list("mine"), ["device.toml", "diagnosis.toml", "pdos.toml"]);
+    // Where no import made the description, nothing goes.
+    desk.put("own/device.toml", "# mine\n");
+    desk.put("own/objects.toml", "# The dictionary.\n\nsource = \"old.xml\"\n");
+    desk.devc(&["import", "drive.xml", "--device", "Valve", "--out", "own", "--overwrite"]);
+    assert_eq!(desk.list("own"), ["device.toml", "objects.toml"]);
+}
+
+#[test]
 fn what_cannot_be_imported_is_said_with_its_place() {
     let desk = desk();
     desk.put("page.xml", "\n<html/>");
