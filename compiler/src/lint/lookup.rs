@@ -65,10 +65,17 @@ pub(super) fn above(a: &Value, b: &Value) -> bool {
 /// The first and the last value of an entry if it says what each of its values means: two and more without gaps, and they
 /// have no unit. A few special values among many are no list of all.
 pub(super) fn all_values(entry: &Entry) -> Option<(i128, i128)> {
-    let values = &entry.values;
-    let (first, last) = (i128::from(values.first()?.value), i128::from(values.last()?.value));
-    let dense = i128::try_from(values.len()) == Ok(last - first + 1);
-    (dense && values.len() > 1 && entry.unit.is_none()).then_some((first, last))
+    let all = without_gaps(entry.values.iter().map(|meaning| (meaning.value, meaning.value)))?;
+    (all.0 != all.1 && entry.unit.is_none()).then_some(all)
+}
+
+/// The first and the last value of ascending ranges, if one follows on the other.
+pub(super) fn without_gaps(ranges: impl Iterator<Item = (i64, i64)>) -> Option<(i128, i128)> {
+    let wide = ranges.map(|(first, last)| (i128::from(first), i128::from(last)));
+    wide.map(Some).reduce(|all, next| {
+        let ((first, last), next) = all.zip(next)?;
+        (next.0 == last + 1).then_some((first, next.1))
+    })?
 }
 
 /// Numbers as a list to read.

@@ -107,8 +107,8 @@ pub struct Written {
     pub sourced: bool,
     /// Whether all of it is assumed.
     pub assumed: bool,
-    /// Where its key stands.
-    pub at: Location,
+    /// Where its key stands, and what it says.
+    pub origin: Origin,
 }
 
 /// Every table of a description, as it was written.

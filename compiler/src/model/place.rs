@@ -48,6 +48,12 @@ impl Place {
         self
     }
 
+    /// Another key of the same table.
+    #[must_use]
+    pub(crate) fn with(self, key: impl fmt::Display) -> Self {
+        Self { path: Some(key.to_string()), ..self }
+    }
+
     /// Reads a place as descriptions write it; none if there is no such section or no such number.
     pub fn parse(text: &str) -> Option<Self> {
         let mut keys = parts(text);

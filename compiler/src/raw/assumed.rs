@@ -47,7 +47,7 @@ impl Assumed<'_> {
     fn of_object(&self, place: &Place, key: &str, table: &Table, object: &Table) -> Vec<Assumption> {
         let found = tables(table).flat_map(|(member, inner)| {
             let whole = if key == "entries" { entry(member, object) } else { on_axes(inner, object) };
-            let keys = if key == "entries" { &of_entry } else { self.keys };
+            let keys = if key == "entries" { &entry_keys } else { self.keys };
             Self { keys, ..*self }.find(&within(place, &member.key.name), member.key.at, inner, &whole)
         });
         found.collect()
@@ -90,11 +90,6 @@ fn tables(table: &Table) -> impl Iterator<Item = (&Member, &Arc<Table>)> {
     table.members.iter().filter_map(|member| Some((member, member.node.table()?)))
 }
 
-/// The keys that the table of an entry can have.
-fn of_entry() -> Vec<&'static str> {
-    [keys::<RawEntry>(), keys::<RawFacts>()].concat()
-}
-
 /// An entry with what its object says for all entries.
 fn entry(member: &Member, object: &Table) -> Table {
     let own = object.get("entries").and_then(|entries| entries.node.table()?.get(&member.key.name));
@@ -102,6 +97,11 @@ fn entry(member: &Member, object: &Table) -> Table {
     let own =
         own.map_or_else(|| Table { at: object.at, members: Default::default() }, |own| Table::clone(own));
     if number(&member.key.name) == Some(0) { own } else { with_shared(&own, object) }
+}
+
+/// The keys that the table of an entry can have.
+pub(crate) fn entry_keys() -> Vec<&'static str> {
+    [keys::<RawEntry>(), keys::<RawFacts>()].concat()
 }
 
 /// The place of what stands under a key of the entries of an object, or of its axes. Entries have places of their own.

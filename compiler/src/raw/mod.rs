@@ -15,6 +15,7 @@ mod extent;
 mod fact;
 mod front;
 mod head;
+mod known;
 mod laid;
 mod like;
 mod lints;
@@ -32,6 +33,7 @@ mod unit;
 mod values;
 mod word;
 
+pub(crate) use assumed::entry_keys;
 pub use axes::{RawAxes, RawShift};
 #[cfg(feature = "cli")]
 pub(crate) use compose::over_profile;
@@ -41,6 +43,7 @@ pub use device::RawDevice;
 pub use fact::{RawAssumed, RawFacts, RawSource};
 pub use front::{RawProcedure, RawStep};
 pub use head::RawHead;
+pub(crate) use known::section_keys;
 pub(crate) use laid::SHARED;
 pub use lints::LintSetting;
 pub use member::{Reading, read};

@@ -127,7 +127,7 @@ impl<'t> Sections<'t> {
                 .get("assumed")
                 .is_some_and(|assumed| matches!(assumed.node.value, Value::String(_))),
             place: place.clone(),
-            at: header,
+            origin: Origin::new(header, table.clone()),
         });
         let assumed = Assumed { sources: self.sources, key: (key, T::CALLED), keys: &T::keys };
         self.assumptions.extend(assumed.find(&place, header, &table, &table));

@@ -57,6 +57,11 @@ fn report_names(context: &mut Context<'_>, raw: &RawAxes) {
         let first = at(context.axes.len());
         return context.fault(&faults::INVALID_VALUE, message, first, "the first without a number");
     }
+    if raw.about.len() > count {
+        let message = format!("`about` tells of {} axes, but there are {count}", raw.about.len());
+        let at = raw.origin.value(&format!("about.{count}"));
+        context.fault(&faults::INVALID_VALUE, message, at, "the first without an axis");
+    }
     let mut first: BTreeMap<&str, usize> = BTreeMap::new();
     for (i, name) in raw.names.iter().enumerate() {
         if let Some(other) = first.get(name.as_str()) {

@@ -12,6 +12,11 @@ pub(crate) fn near<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Opt
     alike(wrong, names).min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
+/// The name that differs from `wrong` by one letter, or by two in the other order.
+pub(crate) fn nearly<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    alike(wrong, names).find(|(distance, _)| *distance <= 1).map(|(_, name)| name)
+}
+
 /// The name that is most like `wrong`, and whether it is plain that it was meant: only upper and lower case differ, or one
 /// letter of a long word, and no other name is as like. A word of few letters or another number is another word.
 pub(crate) fn meant<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Option<(&'n str, bool)> {

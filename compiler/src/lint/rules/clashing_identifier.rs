@@ -67,6 +67,10 @@ fn named(device: &Device) -> Vec<Named<'_>> {
     for it in &device.units {
         named.push((Section::Units.at(&it.id), &it.id, &it.quantity, it.origin.header()));
     }
+    for (i, axis) in device.axes.iter().enumerate() {
+        let at = format!("names.{i}");
+        named.push((Section::Axes.at(&at), &axis.name, &axis.name, device.arrangement.origin.value(&at)));
+    }
     named
 }
 

@@ -3,12 +3,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Device, Place, Remark, RemarkKind, Section};
-use crate::source::{CanonicalKey, Location};
+use crate::raw;
+use crate::source::{CanonicalKey, Location, parts};
 use crate::text::near::near;
 
 rule! {
-    /// A remark is read where the thing is that it is about. One about a thing that is not there is read by nobody. Only of what
-    /// the sources are silent about, nothing has to be there.
+    /// A remark is read where the thing is that it is about. One about a thing that is not there, or about a key that no table
+    /// of its kind has, is read by nobody. Only of what the sources are silent about, nothing has to be there.
     ///
     /// ## Fires
     /// ```toml
@@ -57,7 +58,10 @@ pub(in crate::lint) fn judge(members: &[Device]) -> impl Iterator<Item = Diagnos
 fn finding(device: &Device, remark: &Remark, at: Location) -> Diagnostic {
     let message = format!("there is no {} for the remark to be about", remark.at);
     let diagnostic = Diagnostic::new(&RULE, message, at, "is not there");
-    let known = known(device, &remark.at);
+    let known: Vec<String> = match unknown_key(&remark.at) {
+        Some(_) => keys(&remark.at).iter().map(|key| remark.at.clone().with(key).to_string()).collect(),
+        None => known(device, &remark.at),
+    };
     match near(&remark.at.to_string(), known.iter().map(String::as_str)) {
         Some(near) => diagnostic.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
         None => diagnostic.help("name what it is about, as an erratum would"),
@@ -66,6 +70,9 @@ fn finding(device: &Device, remark: &Remark, at: Location) -> Diagnostic {
 
 /// Whether the description or a standard has what a place names; what is below a table can be what is missing.
 fn is_there(device: &Device, place: &Place) -> bool {
+    if unknown_key(place).is_some() {
+        return false;
+    }
     let Some(key) = &place.key else { return true };
     match (place.section, key) {
         (Section::Objects | Section::RxPdos | Section::TxPdos, CanonicalKey::Range(index, _)) => {
@@ -76,6 +83,22 @@ fn is_there(device: &Device, place: &Place) -> bool {
             })
         }
         _ => device.written.0.iter().any(|it| it.place.section == place.section && it.place.key == place.key),
+    }
+}
+
+/// The key below the table that no such table has; a number is one of its bits or bytes.
+fn unknown_key(place: &Place) -> Option<&str> {
+    let first = parts(place.path.as_deref()?).next()?;
+    let is_number = matches!(CanonicalKey::of(first), CanonicalKey::Range(..));
+    (!is_number && !keys(place).contains(&first)).then_some(first)
+}
+
+/// The keys that a table at a place can have.
+fn keys(place: &Place) -> Vec<&'static str> {
+    if place.subindex.is_some() && place.section == Section::Objects {
+        raw::entry_keys()
+    } else {
+        raw::section_keys(place.section)
     }
 }
 

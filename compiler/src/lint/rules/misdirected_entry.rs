@@ -1,10 +1,14 @@
+use std::collections::BTreeSet;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
 use crate::model::{Device, Direction, Entry, Mappable};
+use crate::source::Layer;
 
 rule! {
     /// What a master sends has to be writable and mappable as an output; what a device sends has to be readable
-    /// and mappable as an input. Against its direction a value never arrives.
+    /// and mappable as an input. Against its direction a value never arrives. What can be mapped so by the dictionary, though
+    /// nothing maps it, is offered by configuration tools.
     ///
     /// ## Fires
     /// ```toml
@@ -35,8 +39,10 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
+    let mut carried = BTreeSet::new();
     for (pdo, at, mapped) in lookup::mapped(device) {
         let Some((object, entry)) = lookup::target(device, mapped) else { continue };
+        carried.insert((pdo.direction == Direction::Rx, entry.address));
         let Some((key, why)) = fault(pdo.direction, entry) else { continue };
         let name = lookup::name(object, entry);
         let who = match pdo.direction {
@@ -47,6 +53,21 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let diagnostic = Diagnostic::new(&RULE, message, mapped.origin.header(), format!("{who} it here"))
             .label(entry.origin.value(key), why);
         report.push(at, diagnostic);
+    }
+    // against a profile that says how it is mapped, the access deviates, which is another fault
+    let is_own = |entry: &Entry| entry.origin.layer("pdo").is_some_and(|layer| layer != Layer::Profile);
+    for (object, entry) in lookup::entries(device).filter(|(_, entry)| is_own(entry)) {
+        for (direction, can, way) in
+            [(Direction::Rx, entry.pdo.rx(), "an output"), (Direction::Tx, entry.pdo.tx(), "an input")]
+        {
+            let is_carried = carried.contains(&(direction == Direction::Rx, entry.address));
+            let Some((key, why)) = fault(direction, entry).filter(|_| can && !is_carried) else { continue };
+            let name = lookup::name(object, entry);
+            let message = format!("{name} can be mapped as {way}, but is {why}");
+            let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value("pdo"), way)
+                .label(entry.origin.value(key), why);
+            report.push(name, diagnostic);
+        }
     }
 }
 

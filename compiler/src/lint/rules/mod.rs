@@ -28,6 +28,7 @@ mod contradicted_identity;
 mod contradicted_modes;
 mod contradicted_notation;
 pub(crate) mod contradicted_period;
+mod contradicted_placeholder;
 mod contradicted_profile;
 mod contradicted_quantity;
 mod contradicted_role;
@@ -51,6 +52,7 @@ mod excluded_assignment;
 pub(crate) mod foreign_protocol;
 pub(crate) mod foreign_state;
 mod hidden_command;
+mod hollow_table;
 mod idle_assumption;
 mod idle_enumeration;
 pub(super) mod idle_erratum;
@@ -58,6 +60,7 @@ mod idle_mapped_entry;
 pub(super) mod idle_remark;
 mod idle_unit;
 mod idle_write_window;
+mod ignored_transition;
 pub(crate) mod impossible_boot_mailbox;
 pub(crate) mod impossible_eeprom_size;
 pub(crate) mod incomplete_timeouts;
@@ -79,6 +82,7 @@ mod missing_object;
 mod missing_sync_manager;
 mod missing_transition;
 mod misspelt_name;
+mod misspelt_symbol;
 pub(crate) mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
@@ -142,6 +146,7 @@ mod unknown_homing_method;
 pub(super) mod unknown_rule;
 pub(crate) mod unlike_slots;
 mod unlistable_mode;
+mod unlisted_document;
 mod unlisted_vendor_code;
 mod unmappable_entry;
 mod unmapped_mode;
@@ -153,6 +158,7 @@ mod unreachable_area;
 mod unreachable_cycle_time;
 mod unreachable_default;
 mod unreachable_transition;
+mod unreachable_value;
 mod unrepresentable_cycle_time;
 mod unrepresentable_value;
 mod unrestorable_value;
@@ -186,32 +192,33 @@ lints! {
     clashing_identifier, code_in_range, commanded_automatic_transition, contradicted_activation,
     contradicted_assignment, contradicted_change, contradicted_config_data, contradicted_control,
     contradicted_count, contradicted_default, contradicted_edge, contradicted_group, contradicted_identity,
-    contradicted_modes, contradicted_notation, contradicted_period, contradicted_profile,
-    contradicted_quantity, contradicted_role, contradicted_size, contradicted_slots, contradicted_sync_types,
-    contradicted_total, contradicted_width, deviating_access, deviating_kind, deviating_mapping,
-    deviating_pattern, deviating_transition, deviating_type, differing_axis, disguised_choice, empty_limits,
-    empty_name, empty_reason, excluded_assignment, foreign_protocol, foreign_state, hidden_command,
-    idle_assumption, idle_enumeration, idle_erratum, idle_mapped_entry, idle_remark, idle_unit,
-    idle_write_window, impossible_boot_mailbox, impossible_eeprom_size, incomplete_timeouts, indistinct_bit,
+    contradicted_modes, contradicted_notation, contradicted_period,
+    contradicted_placeholder, contradicted_profile, contradicted_quantity, contradicted_role,
+    contradicted_size, contradicted_slots, contradicted_sync_types, contradicted_total, contradicted_width,
+    deviating_access, deviating_kind, deviating_mapping, deviating_pattern, deviating_transition,
+    deviating_type, differing_axis, disguised_choice, empty_limits, empty_name, empty_reason,
+    excluded_assignment, foreign_protocol, foreign_state, hidden_command, hollow_table, idle_assumption,
+    idle_enumeration, idle_erratum, idle_mapped_entry, idle_remark, idle_unit, idle_write_window,
+    ignored_transition, impossible_boot_mailbox, impossible_eeprom_size, incomplete_timeouts, indistinct_bit,
     indistinct_members, inverted_limits, manufacturer_bit, meaningful_reserved_bit, misaligned_entry,
     misclassified_error, misdirected_entry, misordered_sync_managers, misplaced_pdo, misplaced_sync_manager,
     missing_config_data, missing_group, missing_mandatory_pdo, missing_object, missing_sync_manager,
-    missing_transition, misspelt_name, mixed_vendors, odd_count_type, one_sided_exclusion, opposed_switch,
-    overfull_assignment, overlapping_areas, overlapping_bits, overlapping_bytes, overlapping_groups,
-    overlapping_registers, overlapping_states, overlapping_sync_managers, overlapping_values,
-    overlong_mode_code, overlong_name, overlong_pin, overlong_value, overruled_statement, oversized_pdo,
-    oversized_write, overstrict_pattern, overwide_entry, patternless_state, pinless_value, placeholder_identity,
-    pointless_exclusion, portless_current, refused_choice, refused_step, renamed_entry, repeated_alias,
-    repeated_assignment, repeated_change, repeated_default, repeated_error, repeated_item, repeated_limit,
-    repeated_mailbox, repeated_mapping, repeated_write, replaced_revision, reserved_index, several_edges,
-    shared_number, stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value,
+    missing_transition, misspelt_name, misspelt_symbol, mixed_vendors, odd_count_type, one_sided_exclusion,
+    opposed_switch, overfull_assignment, overlapping_areas, overlapping_bits, overlapping_bytes,
+    overlapping_groups, overlapping_registers, overlapping_states, overlapping_sync_managers,
+    overlapping_values, overlong_mode_code, overlong_name, overlong_pin, overlong_value, overruled_statement,
+    oversized_pdo, oversized_write, overstrict_pattern, overwide_entry, patternless_state, pinless_value,
+    placeholder_identity, pointless_exclusion, portless_current, refused_choice, refused_step, renamed_entry,
+    repeated_alias, repeated_assignment, repeated_change, repeated_default, repeated_error, repeated_item,
+    repeated_limit, repeated_mailbox, repeated_mapping, repeated_write, replaced_revision, reserved_index,
+    several_edges, shared_number, stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value,
     unassigned_mapping, uncontrolled_axis, uncopied_value, undefined_default, undefined_write,
     undersized_eeprom, undersized_sync_manager, understated_axes, uneven_slots, unexpected_mode_bit,
-    unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_vendor_code,
-    unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group, unplaced_object,
-    unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition,
-    unrepresentable_cycle_time, unrepresentable_value, unrestorable_value, unscaled_axis, unsized_string,
-    unslotted_axis, unsourced_fact, unspellable_text, unspoken_ability, unsupported_configuration_mode,
-    unsupported_cycle_mode, unsupported_cycle_time, unsupported_pdo_mode, unsupported_transition,
-    unwritable_output, widthless_entry, withheld_bit,
+    unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_document,
+    unlisted_vendor_code, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum,
+    unnumbered_group, unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default,
+    unreachable_transition, unreachable_value, unrepresentable_cycle_time, unrepresentable_value,
+    unrestorable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text,
+    unspoken_ability, unsupported_configuration_mode, unsupported_cycle_mode, unsupported_cycle_time,
+    unsupported_pdo_mode, unsupported_transition, unwritable_output, widthless_entry, withheld_bit,
 }

@@ -10,6 +10,17 @@ rule! {
     ///
     /// ## Fires
     /// ```toml
+    /// profiles = ["cia402"]
+    ///
+    /// [objects]
+    /// 0x6060 = {}
+    /// 0x6061 = {}
+    /// 0x6502 = {}
+    ///
+    /// [modes]
+    /// 8 = {}
+    /// 9 = {}
+    ///
     /// [cycle-times]
     /// position = { name = "Position", min = "1 ms", modes = [8] }
     /// velocity = { name = "Velocity", min = "500 us", modes = [8] }
@@ -17,6 +28,17 @@ rule! {
     ///
     /// ## Silent
     /// ```toml
+    /// profiles = ["cia402"]
+    ///
+    /// [objects]
+    /// 0x6060 = {}
+    /// 0x6061 = {}
+    /// 0x6502 = {}
+    ///
+    /// [modes]
+    /// 8 = {}
+    /// 9 = {}
+    ///
     /// [cycle-times]
     /// position = { name = "Position", min = "1 ms", modes = [8] }
     /// velocity = { name = "Velocity", min = "500 us", modes = [9] }

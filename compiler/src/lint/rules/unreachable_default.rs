@@ -32,22 +32,39 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
         let values = [&entry.default, &entry.min, &entry.max].map(Option::as_ref);
-        judge(values, &entry.origin, lookup::name(object, entry), report);
+        judge(values, KEYS, &entry.origin, lookup::name(object, entry), report);
     }
     for parameter in &device.parameters {
         let values = [&parameter.default, &parameter.min, &parameter.max].map(Option::as_ref);
-        judge(values, &parameter.origin, Section::Parameters.at(&parameter.id), report);
+        judge(values, KEYS, &parameter.origin, Section::Parameters.at(&parameter.id), report);
+    }
+    for pdo in &device.pdos {
+        let Some(often) = pdo.oversampling.as_ref() else { continue };
+        let values = [Some(often.factor), often.min, often.max].map(|factor| factor.map(i64::from));
+        let values = values.map(|factor| factor.map(Value::Integer));
+        let keys = ["oversampling.factor", "oversampling.min", "oversampling.max"];
+        let name = Place::from(pdo.index).at("oversampling");
+        judge(values.each_ref().map(Option::as_ref), keys, &pdo.origin, name, report);
     }
 }
 
+/// The keys of a default, the least and the greatest value.
+const KEYS: [&str; 3] = ["default", "min", "max"];
+
 /// Judges a default by the least and the greatest value.
-fn judge(values: [Option<&Value>; 3], origin: &Origin, name: Place, report: &mut Report) {
+fn judge(
+    values: [Option<&Value>; 3],
+    [default_key, min_key, max_key]: [&str; 3],
+    origin: &Origin,
+    name: Place,
+    report: &mut Report,
+) {
     let [Some(default), min, max] = values else { return };
-    let low = min.filter(|min| lookup::above(min, default)).map(|min| (min, "below", "min"));
-    let high = max.filter(|max| lookup::above(default, max)).map(|max| (max, "above", "max"));
+    let low = min.filter(|min| lookup::above(min, default)).map(|min| (min, "below", min_key));
+    let high = max.filter(|max| lookup::above(default, max)).map(|max| (max, "above", max_key));
     let Some((limit, side, key)) = low.or(high) else { return };
     let message = format!("{name} is {default} by default, {side} its limit {limit}");
-    let at = origin.value("default");
+    let at = origin.value(default_key);
     let diagnostic = Diagnostic::new(&RULE, message, at, format!("{side} {limit}"));
     report.push(name, diagnostic.label(origin.value(key), "the limit"));
 }

@@ -38,7 +38,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let at = &table.place;
             let section = at.section.name();
             let message = format!("{at} has no source, but {with} others in `[{section}]` have");
-            let diagnostic = Diagnostic::new(&RULE, message, table.at, "no `source`")
+            let diagnostic = Diagnostic::new(&RULE, message, table.origin.header(), "no `source`")
                 .help("write where it is from, or `assumed = \"...\"` with the reason");
             report.push(at.clone(), diagnostic);
         }

@@ -1,10 +1,11 @@
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::Report;
-use crate::model::{Device, Protocol, Section};
+use crate::lint::{Report, lookup};
+use crate::model::{Device, Object, Protocol, SdoAccess, Section};
 
 rule! {
     /// What a mailbox can do belongs to one of its protocols: dictionary, assignment and mapping to CoE, the addresses of
-    /// Ethernet to EoE. If the protocol is not among them, nothing can use it, and an ESI has no place for it.
+    /// Ethernet to EoE. If the protocol is not among them, nothing can use it, and an ESI has no place for it. Nor can an object be
+    /// transferred at once by a mailbox without complete access.
     ///
     /// ## Fires
     /// ```toml
@@ -44,5 +45,14 @@ pub(super) fn check(device: &Device, report: &mut Report) {
                 .label(mailbox.origin.value("protocols"), format!("no {}", protocol.name()));
             report.push(Section::Mailbox.at(key), diagnostic);
         }
+    }
+    let whole =
+        |object: &&Object| object.sdo_access == Some(SdoAccess::Complete) && object.origin.has("sdo-access");
+    for object in lookup::objects(device).filter(whole).filter(|_| !mailbox.complete_access) {
+        let message = format!("{} is transferred at once, which the mailbox cannot do", object.index);
+        let at = object.origin.value("sdo-access");
+        let diagnostic = Diagnostic::new(&RULE, message, at, "cannot be done")
+            .label(mailbox.origin.value("complete-access"), "without `complete-access = true`");
+        report.push(object.index, diagnostic);
     }
 }

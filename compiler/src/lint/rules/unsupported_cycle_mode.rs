@@ -43,14 +43,14 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    if device.modes.is_empty() {
-        return;
-    }
     let known = |code: i16| device.modes.iter().any(|mode| mode.code == code || mode.aliases.contains(&code));
     for limit in &device.cycle_times {
         for (place, code) in limit.modes.iter().enumerate().filter(|(_, code)| !known(**code)) {
             let message = format!("`{}` is for mode {code}, which the device does not have", limit.name);
-            let modes = lookup::all("mode", device.modes.iter().map(|mode| mode.code));
+            let modes = match &device.modes[..] {
+                [] => "it has no modes of operation".to_owned(),
+                modes => lookup::all("mode", modes.iter().map(|mode| mode.code)),
+            };
             let at = limit.origin.value(&format!("modes.{place}"));
             let diagnostic = Diagnostic::new(&RULE, message, at, "no such mode").note(modes);
             report.push(Section::CycleTimes.at(&limit.id), diagnostic);
