@@ -125,7 +125,11 @@ fn versions(versions: Versions<'_>) -> Vec<Change> {
 type Key = (&'static str, Place, Option<String>, Option<String>);
 
 fn key(change: &Change) -> Key {
-    (change.kind.rule.name, change.at.clone(), change.old.clone(), change.new.clone())
+    let Change { kind, at, name, old, new, .. } = change;
+    // what comes or goes as a whole is shown by its name, which may be another one on each axis
+    let is_whole = (old.is_none() || new.is_none()) && old.as_ref().or(new.as_ref()) == name.as_ref();
+    let [old, new] = [old, new].map(|text| text.clone().filter(|_| !is_whole));
+    (kind.rule.name, at.clone(), old, new)
 }
 
 /// The change that a difference is; none if it follows from another one.
