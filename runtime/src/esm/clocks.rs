@@ -141,5 +141,6 @@ mod tests {
         assert_eq!(judged(&[SYNC0], 0x03, 0, 0), Err(AlStatusCode::INVALID_SYNC0_CYCLE));
         assert_eq!(judged(&[SYNC0], 0x03, 100_000, 0), Err(AlStatusCode::INVALID_SYNC0_CYCLE));
         assert_eq!(judged(&[SYNC0], 0x03, 500_000, 0), Err(AlStatusCode::INVALID_CYCLE));
+        assert_eq!(judged(&[SYNC0], 0x03, 250_000, 0), Ok(()), "the least is one of them");
     }
 }

@@ -1,5 +1,8 @@
 //! What of a device bears on its bring-up.
 
+#[cfg(test)]
+mod tests;
+
 use devc_start_up::{AxisObjects, CycleLimit, Way};
 
 use crate::pdo::{Direction, MappedPdo, ProcessImage, Rx, SyncManager};

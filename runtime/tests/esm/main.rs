@@ -245,6 +245,47 @@ fn the_firmware_has_a_say_on_the_way_up() {
     assert_eq!(firmware.told, told.map(|(from, to)| Change { from, to }));
 }
 
+/// ETG.1000.6, AL status code 0x001F: a watchdog of no time cannot watch outputs. Bit 6 of the control byte says that it does
+/// (ETG.1000.4, sync manager).
+#[test]
+fn outputs_are_watched_if_their_sync_manager_says_so() {
+    struct Timeless;
+    impl Application for Timeless {
+        fn watchdog(&self) -> Option<Watchdog> {
+            Some(Watchdog::new(0))
+        }
+    }
+    let led = |control: u8, is_on: bool| {
+        let mut managers = MANAGERS;
+        managers[2] = Configured { is_on, ..on(0x1100, 6, control) };
+        let mut machine = at(PreOperational);
+        let lengths = if is_on { LENGTHS } else { [0, 0, 0, 8] };
+        machine.request(AlControl(0x04), &managers, &lengths, &mut Timeless);
+        machine.code().0
+    };
+    assert_eq!(led(0x64, true), 0x001F);
+    assert_eq!(led(0x24, true), 0);
+    assert_eq!(led(0x64, false), 0, "what is off is not watched");
+}
+
+/// Outputs that are not there cannot be missing.
+#[test]
+fn a_device_without_outputs_needs_none_to_be_operational() {
+    let mut firmware = Firmware { refuses: AlStatusCode::NONE, has_outputs: false, told: Vec::new() };
+    let mut machine = at(SafeOperational);
+    machine.request(AlControl(0x08), &MANAGERS, &[0, 0, 0, 8], &mut firmware);
+    assert_eq!((machine.state(), machine.code().0), (Operational, 0));
+}
+
+#[test]
+fn signals_that_stay_away_take_it_out_of_operational() {
+    let mut machine = at(Operational);
+    let change = Change { from: Operational, to: SafeOperational };
+    assert_eq!(machine.signals_lost(), Some(change));
+    assert_eq!((machine.status().0, machine.code().0), (0x14, 0x002C));
+    assert_eq!(machine.signals_lost(), None);
+}
+
 #[test]
 fn the_mailbox_is_served_where_there_is_one() {
     use CommunicationState as C;

@@ -103,3 +103,20 @@ fn other_messages_are_no_answers() {
     let segment = [10, 0, 0, 0, 0, 3, 0, 0x30, 0x11, b'a', b'b', b'c', b'd', b'e', b'f', b'g'];
     assert_eq!(long.take(&segment), Err(Failure::Unexpected));
 }
+
+/// ETG.1000.6, SDO download responses: that of an entry names it, that of a segment has the toggle bit of the request.
+#[test]
+fn other_messages_are_no_answers_to_a_download() {
+    let written = |index: u8, command: u8| [10, 0, 0, 0, 0, 3, 0, 0x30, command, index, 0x20, 0, 0, 0, 0, 0];
+    let begun = || {
+        let (mut download, mut request) = (Download::new(NOTE, b"abcdefgh"), [0; 16]);
+        download.request(next_counter(), &mut request).unwrap();
+        download
+    };
+    assert_eq!(begun().take(&written(4, 0x60)), Err(Failure::Unexpected), "it is 0x2003");
+    assert_eq!(begun().take(&written(0, 0x20)), Err(Failure::Unexpected), "nothing was sent in a segment");
+    let mut download = begun();
+    assert_eq!(download.take(&written(3, 0x60)), Ok(Answered::More));
+    download.request(next_counter(), &mut [0; 16]).unwrap();
+    assert_eq!(download.take(&written(0, 0x30)), Err(Failure::Unexpected), "the toggle bit is 0 at first");
+}

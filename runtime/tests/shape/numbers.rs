@@ -61,6 +61,7 @@ fn halves_go_away_from_zero() {
     let half = Scale::of::<1, 2>();
     assert_eq!([-3, -1, 1, 3].map(|raw| half.physical_rounded(raw)), [-2, -1, 1, 2]);
     assert_eq!(half.physical_f64(-3), -1.5);
+    assert_eq!(Scale::of::<3, 4>().physical_f64(6), 4.5);
 }
 
 #[test]
