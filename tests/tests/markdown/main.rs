@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod marks;
+mod parameters;
 mod provenance;
 
 use std::collections::{BTreeMap, BTreeSet};

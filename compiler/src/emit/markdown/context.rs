@@ -1,10 +1,13 @@
 //! What all chapters share: the device, and how its parts are named and linked.
 
 mod axes;
+mod parameters;
 mod pictures;
 mod prose;
 mod said;
 mod value;
+
+use std::collections::BTreeMap;
 
 pub(super) use said::{assumption_id, erratum_id, once};
 
@@ -23,12 +26,16 @@ pub(super) struct Context<'a> {
     pub(super) editorial: bool,
     /// What the document is.
     pub(super) form: Form,
+    /// The anchors of the vendor's parameters, by name.
+    places: BTreeMap<&'a str, String>,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document with others of its family: what it names but lacks may be described for them.
     pub(super) fn new(device: &'a Device, members: &'a [Context<'a>], editorial: bool, form: Form) -> Self {
-        Self { device, members, editorial, form }
+        let mut context = Self { device, members, editorial, form, places: BTreeMap::new() };
+        context.places = context.places();
+        context
     }
 
     /// The anchor of an object; that of the first axis stands for all.

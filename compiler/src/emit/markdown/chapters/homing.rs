@@ -53,7 +53,7 @@ fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
             direction.map_or("", way).into(),
             context.optional(target.as_deref()),
             if *pulse { "✓".into() } else { String::new() },
-            list(parameters.iter().map(code)),
+            list(parameters.iter().map(|name| context.parameter(name))),
             context.optional(about.as_deref()),
             context.said(source.as_ref(), origin),
         ]

@@ -1,7 +1,7 @@
 //! What a person sets, in the device and in the master, and in which order.
 
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::inline::{code, fragment, sentence, text};
+use crate::emit::markdown::inline::{anchor, code, fragment, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{
@@ -59,7 +59,7 @@ fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
         let kept = [effective.map(Effective::sentence), stored.map(Stored::sentence)];
         let kept = kept.into_iter().flatten().map(str::to_owned);
         [
-            code(id),
+            format!("{}{}", anchor(context.parameter_id(parameter)), code(id)),
             format!("**{}**", text(name)),
             address.map_or(String::new(), |address| place(context, parameter, address)),
             default.as_ref().map_or(String::new(), code),

@@ -1,7 +1,7 @@
-//! Running text: escaped, with every index in it linked, and what stands between backticks as it is typed.
+//! Running text: escaped, with every index and every parameter in it linked, and what stands between backticks as it is typed.
 
 use super::Context;
-use crate::emit::markdown::inline::{append, code};
+use crate::emit::markdown::inline::code;
 use crate::model::{Address, Index};
 
 impl Context<'_> {
@@ -32,10 +32,10 @@ impl Context<'_> {
         paragraphs.collect::<Vec<_>>().join("\n\n")
     }
 
-    /// What is to be typed; an index alone is a link here, too.
+    /// What is to be typed; an index or a parameter alone is a link here, too.
     fn typed(&self, plain: &str) -> String {
         let number = plain.strip_prefix("0x").map(Number::read).filter(|number| number.rest.is_empty());
-        number.map_or_else(|| code(plain), |number| self.number(&number))
+        number.map_or_else(|| self.parameter(plain), |number| self.number(&number))
     }
 
     fn words(&self, plain: &str) -> String {
@@ -46,11 +46,11 @@ impl Context<'_> {
             && let Some((before, after)) = rest.split_once("0x")
         {
             let number = Number::read(after);
-            keep_spaces(before, &mut out);
+            self.named_parameters(before, &mut out);
             out.push_str(&self.number(&number));
             rest = number.rest;
         }
-        keep_spaces(rest, &mut out);
+        self.named_parameters(rest, &mut out);
         out
     }
 
@@ -61,7 +61,7 @@ impl Context<'_> {
             (Some(index), Some(subindex)) => self.linked(index, &code(Address { index, subindex })),
             (Some(index), None) => self.index(index),
             (None, _) if number.digits.is_empty() => "0x".into(),
-            (None, _) => code(format!("0x{}", number.digits)),
+            (None, _) => self.parameter(&format!("0x{}", number.digits)),
         }
     }
 }
@@ -87,15 +87,4 @@ impl<'a> Number<'a> {
 fn split_hex(text: &str) -> (&str, &str) {
     let end = text.find(|c: char| !c.is_ascii_hexdigit()).unwrap_or(text.len());
     text.split_at(end)
-}
-
-/// Escapes, but leaves a space at either end where there is one.
-fn keep_spaces(plain: &str, out: &mut String) {
-    if plain.starts_with(char::is_whitespace) {
-        out.push(' ');
-    }
-    append(plain, out);
-    if plain.ends_with(char::is_whitespace) && !plain.trim_start().is_empty() {
-        out.push(' ');
-    }
 }
