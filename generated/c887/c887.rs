@@ -417,6 +417,9 @@ pub mod objects {
     ///
     /// How the outputs, the data from the master, keep time, and how well they do.
     ///
+    /// Assumed, entries: the manual has one name for subindices 01 to 32 and no more; which of them there
+    /// are, and what they hold, is as in ETG.1020.
+    ///
     /// Assumed, default of 1, 4: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
     pub mod sm_output_parameter {
         use super::*;
@@ -502,7 +505,8 @@ pub mod objects {
     ///
     /// Corrected, name; the source says: name = Configuration DC modus. The profile's name. The manual has
     /// one name for 0x1C32, which is about the outputs, and 0x1C33, which is about the inputs; it stands in
-    /// the row of the entries.
+    /// the row of the entries. Assumed, entries: the manual has one name for subindices 01 to 32 and no
+    /// more; which of them there are, and what they hold, is as in ETG.1020.
     ///
     /// Assumed, default of 1, 4: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
     pub mod sm_input_parameter {

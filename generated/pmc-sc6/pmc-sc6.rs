@@ -3868,7 +3868,8 @@ pub mod double {
         ///
         /// In the standard mapping, but missing from the tables of objects.
         ///
-        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
+        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving. Assumed, entries:
+        /// the manual gives no subindex; 1 as in the profile, and as its table leaves the 1 away with 0x60E4.
         pub mod digital_outputs {
             use super::*;
 
@@ -6246,7 +6247,8 @@ pub mod single {
         ///
         /// In the standard mapping, but missing from the tables of objects.
         ///
-        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
+        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving. Assumed, entries:
+        /// the manual gives no subindex; 1 as in the profile, and as its table leaves the 1 away with 0x60E4.
         pub mod digital_outputs {
             use super::*;
 
@@ -7998,6 +8000,10 @@ pub mod double_hires {
     ///
     /// Assumed, pdo-assign: no source says so; each axis has one PDO for each direction. Assumed,
     /// pdo-config: no source says so; DS6 sets the mapping, and a restart makes it take effect.
+    ///
+    /// Assumed, entries of 0x1600: printed for CiA 402 only; HiRes Motion has presets of its own.
+    ///
+    /// Assumed, entries of 0x1A00: printed for CiA 402 only; HiRes Motion has presets of its own.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 double-axis, CiA 402 HiRes Motion",
         member: 2,
@@ -8868,6 +8874,10 @@ pub mod single_hires {
     ///
     /// Assumed, pdo-assign: no source says so; each axis has one PDO for each direction. Assumed,
     /// pdo-config: no source says so; DS6 sets the mapping, and a restart makes it take effect.
+    ///
+    /// Assumed, entries of 0x1600: printed for CiA 402 only; HiRes Motion has presets of its own.
+    ///
+    /// Assumed, entries of 0x1A00: printed for CiA 402 only; HiRes Motion has presets of its own.
     pub const BRING_UP: BringUp = BringUp {
         name: "PMC SC6/SI6 single-axis, CiA 402 HiRes Motion",
         member: 3,

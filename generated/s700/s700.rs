@@ -4711,6 +4711,12 @@ pub mod s300 {
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
     /// control: that of the AKD: three buffers.
+    ///
+    /// Assumed, entries of 0x1600: the example adds its set-point to a default mapping; what is left is the
+    /// controlword.
+    ///
+    /// Assumed, entries of 0x1A00: the example adds its actual value to a default mapping; what is left is
+    /// the statusword.
     pub const BRING_UP: BringUp = BringUp {
         name: "S300",
         member: 0,
@@ -6825,6 +6831,12 @@ pub mod s700 {
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes. Assumed,
     /// control: that of the AKD: three buffers.
+    ///
+    /// Assumed, entries of 0x1600: the example adds its set-point to a default mapping; what is left is the
+    /// controlword.
+    ///
+    /// Assumed, entries of 0x1A00: the example adds its actual value to a default mapping; what is left is
+    /// the statusword.
     pub const BRING_UP: BringUp = BringUp {
         name: "S700",
         member: 3,

@@ -101,7 +101,7 @@ pub use pdo::{Direction, Mapped, Oversampling, Pdo};
 pub use picture::Picture;
 pub use place::Place;
 pub(crate) use ports::are_ports;
-pub use provenance::{Provenance, assumption, facts, provenance};
+pub use provenance::{Provenance, assumption, facts, facts_of_type, provenance};
 pub use register::{AbortCode, AlStatusCode, Register, RegisterAccess, Telegram};
 pub(crate) use repetition::repetitions;
 pub use repetition::{Repeated, Repetition};

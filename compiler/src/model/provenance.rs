@@ -104,6 +104,13 @@ pub fn facts(origin: &Origin) -> Vec<(String, Provenance)> {
     facts
 }
 
+/// The facts of a table that belong to the type that stands for it in programs. Members of a family share that of a PDO
+/// though what it carries is assumed for some of them only.
+pub fn facts_of_type(origin: &Origin) -> Vec<(String, Provenance)> {
+    let is_list = matches!(origin.node("entries").map(|entries| &entries.value), Some(Value::Array(_)));
+    facts(origin).into_iter().filter(|(path, _)| !(is_list && path == "entries")).collect()
+}
+
 /// What errata have taken out of a table: it is not so, and nothing else is.
 fn gone(prefix: &str, members: &Members) -> impl Iterator<Item = (String, Provenance)> {
     let gone = members.gone().iter();

@@ -1,6 +1,6 @@
 //! Whether two parts of the model are one, so that they can be told once.
 
-use super::{Beside, Compare, Device, Document, Erratum, Provenance, Source, differences, facts};
+use super::{Beside, Compare, Device, Document, Erratum, Provenance, Source, differences, facts_of_type};
 use crate::source::Origin;
 
 /// Two devices, parts of which are held against each other: with them are the documents that sources name, and the errata.
@@ -57,10 +57,7 @@ impl<'a> Beside for Pair<'a> {
         if self.has_same_errata && first == second {
             return true;
         }
-        // that what PDOs carry is assumed is told where each member is listed, and parts no types of Rust
-        let facts =
-            |origin| facts(origin).into_iter().filter(|(path, _)| path != "entries").collect::<Vec<_>>();
-        let (of_first, of_second) = (facts(first), facts(second));
+        let (of_first, of_second) = (facts_of_type(first), facts_of_type(second));
         of_first.len() == of_second.len()
             && of_first.iter().zip(&of_second).all(|((path, who), (other, by))| {
                 path == other

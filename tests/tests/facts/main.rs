@@ -3,6 +3,7 @@
 
 #![cfg(test)]
 
+mod docs;
 mod marks;
 mod places;
 mod samples;

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, TokenStreamExt, quote};
 
 use super::literal;
-use crate::model::{Device, Provenance, Source, facts};
+use crate::model::{Device, Pdo, Provenance, Source, facts, facts_of_type};
 use crate::source::Origin;
 
 /// Columns of a line of documentation.
@@ -71,10 +71,7 @@ impl Doc {
 
     /// Where the facts are from, and a sentence for each that is not from there: assumed, corrected, contradicted.
     pub(super) fn said(self, source: Option<&Source>, origin: &Origin, device: &Device) -> Self {
-        let mut facts = facts(origin);
-        // types are shared by members whose lists are assumed and those whose are not
-        facts.retain(|(path, _)| path != "entries");
-        let departures = departures(origin, facts, device);
+        let departures = departures(origin, facts_of_type(origin), device);
         self.source(source, device).sentences(departures.into_iter())
     }
 
@@ -84,6 +81,14 @@ impl Doc {
         let mut facts = facts(origin);
         facts.retain(|(path, _)| keys.contains(&path.as_str()));
         self.sentences(departures(origin, facts, device).into_iter())
+    }
+
+    /// A sentence for each reason, or erratum, for what a PDO carries: its type, which members of a family share, tells
+    /// only the rest.
+    pub(super) fn carrying(self, pdo: &Pdo, device: &Device) -> Self {
+        let facts = facts(&pdo.origin).into_iter().filter(|(path, _)| path == "entries");
+        let path = format!("entries of {}", pdo.index);
+        self.sentences(facts.filter_map(|(_, who)| departure(&path, &who, device)))
     }
 
     /// Another paragraph, of these sentences, if there are any.

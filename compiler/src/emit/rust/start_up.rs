@@ -62,6 +62,8 @@ fn constant(scope: &Scope<'_>) -> (Doc, TokenStream) {
         .cycle_times
         .iter()
         .fold(doc, |doc, limit| doc.departing(&["min", "choices", "modes"], &limit.origin, scope.device));
+    let pdos = scope.pdos.iter().map(|placed| placed.first);
+    let doc = pdos.fold(doc, |doc, pdo| doc.carrying(pdo, scope.device));
     (doc, code)
 }
 
