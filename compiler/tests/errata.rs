@@ -161,3 +161,42 @@ fn outputs_get_what_holds() {
     assert_eq!(device.identity.revision, 2);
     assert_eq!(provenance(&device.identity.origin, "revision"), Provenance::Corrected(5));
 }
+
+/// What devc says of a description with these errata, as far as it is about those.
+fn answered(errata: &str) -> Vec<String> {
+    let text = format!("{MISPRINTED}\n{errata}");
+    let memory = devc::source::Memory::default().with("example/device.toml", text.into_bytes());
+    let compilation = devc::compile(&memory, Path::new("example"));
+    let messages = compilation.diagnostics.iter().map(|message| message.message.clone());
+    messages.filter(|message| message.contains("two errata") || message.contains("the erratum")).collect()
+}
+
+/// A fact has one mark: that of a second erratum would hide the first.
+#[test]
+fn a_key_has_one_erratum() {
+    let erratum = |at: &str, keys: &str| {
+        format!("[[errata]]\nrule = \"placeholder-identity\"\nat = \"{at}\"\nwhy = \"a slip\"\n{keys}\n")
+    };
+    let pair = |at: &str, first: &str, second: &str| {
+        answered(&[first, second].map(|keys| erratum(at, keys)).concat())
+    };
+    let repeated = |at: &str| vec![format!("two errata are about the same key at {at}")];
+    for (at, first, second) in [
+        ("identity.revision", "says = 1\nholds = 2", "says = 1\nholds = 3"),
+        ("identity.revision", "says = 1\nholds = 2", "says = 1"),
+        ("identity.revision", "says = 1", "says = 1"),
+        ("errors.0x3130", "says = { register = 0x81 }\nholds = {}", "says = { register = 0x81 }"),
+        ("errors.0x3130", "says = { name = \"Phase lost\", register = 0x81 }", "says = { register = 0x81 }"),
+        ("errors.0x3130", "says = { }\nholds = { about = \"a\" }", "says = {}\nholds = { about = \"b\" }"),
+    ] {
+        assert_eq!(pair(at, first, second), repeated(at), "{first} {second}");
+    }
+    for (at, first, second) in [
+        ("identity.revision", "says = 1\nholds = 2", "says = {}"),
+        ("identity.revision", "says = {}", "says = 1\nholds = 2"),
+        ("identity.revision", "says = 1\nstands = true", "says = 1\nstands = true"),
+        ("errors.0x3130", "says = { name = \"Phase lost\" }", "says = { register = 0x81 }"),
+    ] {
+        assert!(pair(at, first, second).is_empty(), "{first} {second}: {:?}", pair(at, first, second));
+    }
+}

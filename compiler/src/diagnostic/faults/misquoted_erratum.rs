@@ -8,6 +8,9 @@ rule! {
     /// that only `says` has is taken out. Without `holds` nobody knows what is so, and the outputs say that the fact is
     /// contradicted; `stands = true` says that the device is as printed.
     ///
+    /// A fact has one mark, which leads to one erratum: that says all that there is to say of it. Another one that has to
+    /// answer another rule at the same place quotes nothing, `says = {}`.
+    ///
     /// ## Fires
     /// ```toml
     /// [objects.0x2000]

@@ -13,7 +13,7 @@ use crate::model::Erratum;
 use crate::raw::RawDevice;
 use crate::source::{Layer, Node, Table, Value};
 
-use amend::amend;
+use amend::{Mark, amend};
 use apart::apart;
 use locate::Locate;
 
@@ -42,13 +42,27 @@ pub(super) fn corrected(
         }
         let tree = corrected.get_or_insert_with(|| tree.clone());
         let path = apart(tree, path, &erratum.at);
-        match holds {
-            Some(holds) => amend(tree, &path, says, Some(holds), Layer::Corrected(number)),
-            None if erratum.stands => {}
-            None => amend(tree, &path, says, None, Layer::Contradicted(number)),
+        // What quotes nothing and holds nothing answers a finding, and leaves the mark to another erratum.
+        if holds.is_none() && (erratum.stands || quote::is_nothing(says)) {
+            continue;
         }
+        let kind = if holds.is_some() { Layer::Corrected } else { Layer::Contradicted };
+        let mut mark = Mark::of(kind(number));
+        amend(tree, &path, says, holds, &mut mark);
+        let other = mark.other.and_then(|other| device.errata.get(usize::from(other)));
+        diagnostics.extend(other.map(|other| repeated(erratum, other)));
     }
     corrected
+}
+
+/// An erratum about a key of which another one says what holds already.
+fn repeated(erratum: &Erratum, other: &Erratum) -> Diagnostic {
+    let message = format!("two errata are about the same key at {}", erratum.at);
+    let way = "put what holds, and how one knows, into one of them; if the other has to answer its rule, let it quote \
+               nothing: `says = {}`";
+    Diagnostic::new(&faults::MISQUOTED_ERRATUM, message, erratum.origin.value("says"), "quoted again")
+        .label(other.origin.value("says"), "quoted here")
+        .help(way)
 }
 
 fn missing(erratum: &Erratum) -> Diagnostic {

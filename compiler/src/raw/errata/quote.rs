@@ -44,6 +44,7 @@ pub(super) fn word(says: &Table) -> Option<&Member> {
 /// What is quoted otherwise than it is written: the quoted value, and the written one if there is one.
 fn misquoted<'n>(written: &'n Node, says: &'n Node) -> Option<(&'n Node, Option<&'n Node>)> {
     match (&says.value, &written.value) {
+        _ if is_nothing(says) => None,
         (Value::Table(says), Value::Table(table)) => {
             says.members.iter().find_map(|member| match table.get(&member.key.name) {
                 Some(written) => misquoted(&written.node, &member.node),
@@ -60,6 +61,11 @@ fn misquoted<'n>(written: &'n Node, says: &'n Node) -> Option<(&'n Node, Option<
         }
         _ => (!same(says, written)).then_some((says, Some(written))),
     }
+}
+
+/// Whether an erratum that says this quotes nothing.
+pub(super) fn is_nothing(says: &Node) -> bool {
+    says.table().is_some_and(|says| says.members.is_empty())
 }
 
 /// Whether two values are the same, wherever they stand.
