@@ -9,13 +9,18 @@ use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use crate::source::keys;
 
 /// A whole number as a key.
-pub(crate) struct Number(pub(crate) i64);
+pub(crate) struct Number {
+    pub(crate) value: i64,
+    /// The key as it is written.
+    pub(crate) key: String,
+}
 
 impl<'de> Deserialize<'de> for Number {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let wrong = || Error::custom(format!("`{text}` means nothing here, expected a whole number"));
-        keys::number(&text).map(Self).ok_or_else(wrong)
+        let key = String::deserialize(deserializer)?;
+        let wrong = || Error::custom(format!("`{key}` means nothing here, expected a whole number"));
+        let value = keys::number(&key).ok_or_else(wrong)?;
+        Ok(Self { value, key })
     }
 }
 

@@ -1,5 +1,8 @@
 //! What single values, and ranges of values, mean.
 
+mod notation;
+
+pub use notation::Notation;
 use serde::Deserialize;
 use serde::de::Deserializer;
 
@@ -13,6 +16,9 @@ model! {
     pub struct Meaning by value {
         /// The value.
         pub value: i64,
+        /// How the value is written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub notation: Notation,
         /// The word for it, unique among its siblings.
         pub id: String,
         /// Its name.
@@ -29,6 +35,9 @@ model! {
         pub first: i64,
         /// The last value.
         pub last: i64,
+        /// How both are written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub notation: Notation,
         /// What it is called.
         pub name: String,
         /// And in other languages, by language.
@@ -77,10 +86,11 @@ list! {
 impl<'de> Deserialize<'de> for Meanings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let mut named: Vec<(Number, Named)> = keyed(deserializer)?;
-        named.sort_by_key(|(Number(value), _)| *value);
+        named.sort_by_key(|(number, _)| number.value);
         let mut ids = Siblings::default();
-        let meaning = |(Number(value), Named { name, names, about })| Meaning {
+        let meaning = |(Number { value, key }, Named { name, names, about })| Meaning {
             value,
+            notation: Notation::of(&key),
             id: ids.claim(&name),
             name,
             names,
@@ -93,9 +103,10 @@ impl<'de> Deserialize<'de> for Meanings {
 impl<'de> Deserialize<'de> for ValueRanges {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let named: Vec<(Range<i64>, Named)> = keyed(deserializer)?;
-        let range = |(Range { first, last, .. }, Named { name, names, about })| ValueRange {
+        let range = |(Range { first, last, key }, Named { name, names, about })| ValueRange {
             first,
             last,
+            notation: Notation::of(&key),
             name,
             names,
             about,

@@ -88,7 +88,7 @@ pub use language::{Language, Translation, Translations};
 pub use lasting::{Effective, Stored};
 pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use machine::Given;
-pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
+pub use meaning::{Meaning, Meanings, Notation, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
 pub use mode_manager::{ModeManager, ModeManagers, ModePdo};
 pub use module::{Module, Slots};

@@ -5,12 +5,17 @@ use std::ops::RangeInclusive;
 /// A whole number in decimal or hexadecimal, with a sign or without.
 pub(crate) fn number(text: &str) -> Option<i64> {
     let (negative, digits) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
-    let value = match digits.strip_prefix("0x").or_else(|| digits.strip_prefix("0X")) {
+    let value = match hexadecimal(digits) {
         Some(hex) if !hex.starts_with(['+', '-']) => i64::from_str_radix(hex, 16).ok()?,
         None if digits.starts_with(|c: char| c.is_ascii_digit()) => digits.parse().ok()?,
         _ => return None,
     };
     Some(if negative { -value } else { value })
+}
+
+/// The digits of a number without a sign that is written in hexadecimal.
+pub(crate) fn hexadecimal(text: &str) -> Option<&str> {
+    text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))
 }
 
 /// A number, or a range of numbers such as `"4..=6"`.

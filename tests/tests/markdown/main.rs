@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod marks;
+mod notation;
 mod parameters;
 mod provenance;
 

@@ -158,7 +158,10 @@ fn place(field: &Field) -> String {
 
 fn doc(field: &Field, mode: Option<&Mode>) -> Doc {
     let in_mode = mode.map(|mode| format!(" in mode {} ({})", mode.code, mode.id)).unwrap_or_default();
-    let values = field.values.iter().map(|meaning| format!("- {}: {}", meaning.value, escape(&meaning.name)));
+    let values = field
+        .values
+        .iter()
+        .map(|meaning| format!("- {}: {}", meaning.notation.written(meaning.value), escape(&meaning.name)));
     let edges = [("rising", &field.rising), ("falling", &field.falling)];
     let edges =
         edges.into_iter().filter_map(|(edge, text)| Some(format!("On the {edge} edge: {}", text.as_ref()?)));

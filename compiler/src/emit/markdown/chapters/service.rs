@@ -120,10 +120,11 @@ fn effect(
 /// A value, or a range of values, with what it means.
 fn range_meaning(context: &Context<'_>, range: &ValueRange) -> String {
     let about = range.about.as_ref().map_or(String::new(), |about| format!(": {}", context.prose(about)));
+    let number = |number| code(range.notation.written(number));
     let numbers = if range.first == range.last {
-        code(range.first)
+        number(range.first)
     } else {
-        format!("{} to {}", code(range.first), code(range.last))
+        format!("{} to {}", number(range.first), number(range.last))
     };
     format!("{numbers} {}{about}", text(&range.name))
 }

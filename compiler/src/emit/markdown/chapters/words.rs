@@ -83,7 +83,7 @@ pub(super) fn statements(context: &Context<'_>, field: &Field) -> Vec<String> {
 /// A value with what it means.
 pub(super) fn value(context: &Context<'_>, meaning: &Meaning) -> String {
     let about = meaning.about.as_ref().map_or(String::new(), |about| format!(": {}", context.prose(about)));
-    format!("{} {}{about}", code(meaning.value), text(&meaning.name))
+    format!("{} {}{about}", code(meaning.notation.written(meaning.value)), text(&meaning.name))
 }
 
 /// What the modes make of a bit.

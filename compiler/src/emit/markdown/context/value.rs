@@ -3,7 +3,7 @@
 use super::Context;
 use crate::emit::markdown::inline::{code, text};
 use crate::emit::markdown::number::decimal;
-use crate::model::{DataType, Entry, Index, Scale, Value};
+use crate::model::{DataType, Entry, Index, Meaning, Notation, Scale, Value};
 
 impl Context<'_> {
     /// A value of an entry.
@@ -19,6 +19,14 @@ impl Context<'_> {
     /// A whole number of an entry.
     pub(in crate::emit::markdown) fn number_of(&self, entry: &Entry, number: i128) -> String {
         if self.is_flags(entry) { hex(entry.data_type, number) } else { code(number) }
+    }
+
+    /// A value of an entry that means something, as it is written there.
+    pub(in crate::emit::markdown) fn meant(&self, entry: &Entry, meaning: &Meaning) -> String {
+        match meaning.notation {
+            Notation::Decimal => self.number_of(entry, meaning.value.into()),
+            Notation::Hexadecimal { .. } => code(meaning.notation.written(meaning.value)),
+        }
     }
 
     /// A default, if there is one.

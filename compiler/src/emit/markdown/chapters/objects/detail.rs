@@ -124,7 +124,7 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page
     }
     page.table(Table::of(["Value", "Meaning", "In full"], &entry.values, |meaning| {
         let about = context.optional(meaning.about.as_deref());
-        [context.number_of(entry, meaning.value.into()), text(&meaning.name), about]
+        [context.meant(entry, meaning), text(&meaning.name), about]
     }));
 }
 
