@@ -1877,6 +1877,14 @@ impl core::fmt::Display for ModeOfOperation {
 }
 
 /// What makes or hinders transitions besides commands, the most urgent first.
+///
+/// *2*: Assumed, interlocks: the manual asks for the additional enable signal only; while a cause of
+/// Switch on disabled is there, transition 7 would lead back at once.
+///
+/// *9*: Assumed, events: with A44 = 1, so that the loss of the additional enable signal makes
+/// transition 11; with another value it is as a lockout.
+///
+/// *13*: Assumed: the transition is drawn only; the profile's.
 pub const CONDITIONS: &[Condition] = &[
     Condition::caused(13, Events::FAULT),
     Condition::caused(14, Events::FAULT_REACTION_OVER),

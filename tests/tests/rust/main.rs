@@ -6,6 +6,7 @@ mod access;
 mod bounded;
 mod c887;
 mod complete;
+mod conditions;
 mod dictionary;
 mod family;
 mod geared;

@@ -78,9 +78,7 @@ impl Doc {
     /// A sentence for each of these keys that no source states as it stands here; for constants that are made of a part of
     /// what a table says.
     pub(super) fn departing(self, keys: &[&str], origin: &Origin, device: &Device) -> Self {
-        let mut facts = facts(origin);
-        facts.retain(|(path, _)| keys.contains(&path.as_str()));
-        self.sentences(departures(origin, facts, device).into_iter())
+        self.sentences(departures_of(keys, origin, device).into_iter())
     }
 
     /// A sentence for each reason, or erratum, for what a PDO carries: its type, which members of a family share, tells
@@ -120,6 +118,13 @@ impl ToTokens for Doc {
         let text = self.literal().into_iter();
         tokens.append_all(quote!(#(#[doc = #text])*));
     }
+}
+
+/// A sentence for each of these keys that no source states as it stands here.
+pub(super) fn departures_of(keys: &[&str], origin: &Origin, device: &Device) -> Vec<String> {
+    let mut facts = facts(origin);
+    facts.retain(|(path, _)| keys.contains(&path.as_str()));
+    departures(origin, facts, device)
 }
 
 /// A sentence for each reason, or erratum, for facts of a table that the source does not state as they stand here.

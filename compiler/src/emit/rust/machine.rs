@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::doc::Doc;
+use super::doc::{Doc, departures_of, escape};
 use super::item::{Item, Space};
 use super::literal::{hex16, number};
 use super::names::Names;
@@ -69,6 +69,13 @@ fn conditions(device: &Device) -> (Doc, TokenStream) {
         quote!(Condition::#how(#number, #events))
     });
     let doc = Doc::new("What makes or hinders transitions besides commands, the most urgent first.");
+    let doc = device.transitions.iter().filter(|one| one.supported).fold(doc, |doc, one| {
+        let departures = departures_of(&["events", "interlocks"], &one.origin, device);
+        match departures.is_empty() {
+            true => doc,
+            false => doc.text(&format!("*{}*: {}", one.number, escape(&departures.join(" ")))),
+        }
+    });
     (doc, quote!(pub const CONDITIONS: &[Condition] = &[#(#rows),*];))
 }
 
