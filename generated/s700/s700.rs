@@ -2617,6 +2617,8 @@ pub struct RxPdo1710 {
     /// `0x6084:00` Motion task deceleration.
     pub motion_task_deceleration: i32,
     /// `0x6086:00` Motion task profile number.
+    ///
+    /// The object is INT32, the PDO carries the lower 16 of its 32 bits.
     pub motion_task_profile_number: i32,
     /// `0x6040:00` Controlword.
     pub controlword: Controlword,
@@ -4532,6 +4534,8 @@ pub mod s300 {
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
         /// `0x60FD:00` Digital input state.
+        ///
+        /// The object is INT16, the PDO has 32 bits for its 16.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -6724,6 +6728,8 @@ pub mod s700 {
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
         /// `0x60FD:00` Digital input state.
+        ///
+        /// The object is INT16, the PDO has 32 bits for its 16.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,

@@ -5,6 +5,7 @@
 mod access;
 mod bounded;
 mod c887;
+mod carried;
 mod complete;
 mod conditions;
 mod dictionary;

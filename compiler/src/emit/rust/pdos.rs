@@ -13,7 +13,7 @@ use super::names::{Names, snake};
 use super::packing::{self, Layout};
 use super::scope::Scope;
 use super::types::{Primitive, ValueType};
-use crate::model::{DataType, Direction, Mapped, Pdo};
+use crate::model::{DataType, Direction, Entry, Mapped, Pdo};
 
 /// Who maps a PDO.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +40,8 @@ pub(super) fn made_of<'s>(scope: &'s Scope<'_>, placed: &Placed<'s, Pdo>, item: 
     let item = item.each(mapped, |item, (mapped, address)| {
         let value = value_type(scope, mapped);
         let entry = scope.device.entry(address);
-        let item = item.told(format!("{:?} {}", value.primitive, entry.is_some()));
+        let carried = entry.map(|entry| carried(mapped, entry));
+        let item = item.told(format!("{:?} {carried:?}", value.primitive));
         let item = item.each(&value.newtype, |item, name| item.using(Space::Root, name));
         let unit = entry.and_then(|entry| scope.device.unit(entry.unit.as_ref()?));
         item.each(unit.filter(|unit| !scope.unlike.contains(unit.id.as_str())), |item, unit| item.of(unit))
@@ -142,15 +143,29 @@ fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStrea
                 true => "in the unit that the device has for it".to_owned(),
                 false => entry::unit(unit),
             });
-            Doc::new(match unit {
+            let title = match unit {
                 Some(unit) => format!("{}, {}.", title.trim_end_matches('.'), escape(&unit)),
                 None => title,
-            })
+            };
+            Doc::new(title).text(&carried(mapped, entry))
         }
         None if mapped.data_type.is_some() => Doc::new(title).text("The dictionary does not have it."),
         None => Doc::new(title).text("The dictionary does not have it, so only its width is known."),
     };
     Some(quote!(#doc pub #name: #value,))
+}
+
+/// How the PDO carries an object, where that is not the object's own type.
+fn carried(mapped: &Mapped, entry: &Entry) -> String {
+    let (object, own, bits) = (entry.data_type, entry.data_type.bits(), mapped.bits);
+    match mapped.own_type.filter(|own| *own != object) {
+        Some(carried) => format!("The object is {object}, the PDO carries it as {carried}."),
+        None if bits < own => {
+            format!("The object is {object}, the PDO carries the lower {bits} of its {own} bits.")
+        }
+        None if bits > own => format!("The object is {object}, the PDO has {bits} bits for its {own}."),
+        None => String::new(),
+    }
 }
 
 /// The index and what is mapped: of the PDO, or of each axis and for the trait of the first.
