@@ -162,6 +162,33 @@ fn outputs_get_what_holds() {
     assert_eq!(provenance(&device.identity.origin, "revision"), Provenance::Corrected(5));
 }
 
+/// The rows of a list have no keys: errata count them from 0.
+#[test]
+fn a_row_of_a_list_has_its_erratum() {
+    use devc::model::{Provenance, facts};
+    let device = corrected(
+        r#"
+        [[master-settings]]
+        name = "Watchdog"
+        value = "on"
+
+        [[master-settings]]
+        name = "Cycle"
+        value = "1 ms"
+        per-axis = true
+
+        [[errata]]
+        rule = "placeholder-identity"
+        at = "master-settings.1"
+        says = { per-axis = true }
+        why = "nobody knows"
+        "#,
+    );
+    let who = |place: usize| facts(&device.master_settings[place].origin);
+    assert!(who(0).iter().all(|(_, who)| *who == Provenance::Stated), "{:?}", who(0));
+    assert!(who(1).contains(&("per-axis".to_owned(), Provenance::Contradicted(0))), "{:?}", who(1));
+}
+
 /// What devc says of a description with these errata, as far as it is about those.
 fn answered(errata: &str) -> Vec<String> {
     let text = format!("{MISPRINTED}\n{errata}");

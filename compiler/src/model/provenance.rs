@@ -89,7 +89,7 @@ pub fn facts(origin: &Origin) -> Vec<(String, Provenance)> {
     for member in &origin.table().members {
         match (&*member.key.name, &member.node.value) {
             // these have facts of their own
-            ("source" | "assumed" | "per-axis", _) | ("entries", Value::Table(_)) => {}
+            ("source" | "assumed", _) | ("entries", Value::Table(_)) => {}
             (path, _) => gather(reasons, path, member, &mut facts),
         }
     }

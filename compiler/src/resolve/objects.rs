@@ -138,7 +138,8 @@ pub(super) fn object(
         entries,
         derived: false,
         source: source.clone(),
-        origin: origin.clone(),
+        // what differs on other axes is said of the objects there
+        origin: origin.without("per-axis"),
     })
 }
 

@@ -28,6 +28,17 @@ impl Origin {
         Self { header: self.header, table: Arc::new(Table { at, members: Members::default() }) }
     }
 
+    /// The same for an entity of which what stands under a key says nothing.
+    #[must_use]
+    pub fn without(&self, key: &str) -> Self {
+        if !self.has(key) {
+            return self.clone();
+        }
+        let mut table = Table::clone(&self.table);
+        table.members.retain(|member| &*member.key.name != key);
+        Self { header: self.header, table: Arc::new(table) }
+    }
+
     /// Where the entity is named.
     pub fn header(&self) -> Location {
         self.header

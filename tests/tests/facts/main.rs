@@ -3,6 +3,7 @@
 
 #![cfg(test)]
 
+mod axes;
 mod docs;
 mod marks;
 mod places;

@@ -23,7 +23,7 @@ impl Locate<'_> {
                 path.push(Step::Key(self.leading_pdo(place.section, *index)?));
                 path.extend(place.subindex.iter().flat_map(|(first, _)| mapped(*first)));
             }
-            (_, Some(key)) => path.push(Step::Key(self.key(place.section, key)?)),
+            (_, Some(key)) => path.push(self.key(place.section, key)?),
             (_, None) => {}
         }
         for key in place.path.iter().flat_map(|path| parts(path)) {
@@ -79,14 +79,15 @@ impl Locate<'_> {
         found.map(|pdo| pdo.key.clone())
     }
 
-    /// A key of a section as it is written there.
-    fn key(&self, section: Section, key: &CanonicalKey) -> Option<String> {
+    /// A key of a section as it is written there, or the place in its list.
+    fn key(&self, section: Section, key: &CanonicalKey) -> Option<Step> {
         let node = &self.tree.get(section.name())?.node;
         if let (Value::Array(_), CanonicalKey::Range(place, _)) = (&node.value, key) {
-            return Some(place.to_string());
+            return Some(Step::Item(usize::try_from(*place).ok()?));
         }
         let members = &node.table()?.members;
-        members.iter().find(|member| member.key.canonical == *key).map(|member| member.key.name.to_string())
+        let written = members.iter().find(|member| member.key.canonical == *key)?;
+        Some(Step::Key(written.key.name.to_string()))
     }
 
     /// Goes on by a key. The bits of a word are named without the key that they all stand under.
