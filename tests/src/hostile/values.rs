@@ -146,6 +146,13 @@ pub(super) const KINDS: &[Kind] = &[
         files: |n| one(objects(1, |_| format!("about=\"{}\"", "*_`<& 0x2000 ".repeat(n)))),
     },
     Kind {
+        name: "what could be parameters in a text",
+        files: |n| {
+            let object = objects(1, |_| format!("about=\"{}\"", "A1-".repeat(n)));
+            one(object + "\n[parameters.A7]\nname=\"P\"\n")
+        },
+    },
+    Kind {
         name: "letters of a default",
         files: |n| {
             let (length, text) = (n.min(6_000) * 10, "x".repeat(n * 10));

@@ -24,7 +24,7 @@ impl<'a> Context<'a> {
         while let Some(run) = self.has_parameters().then(|| next_run(plain, at)).flatten() {
             at = run.end;
             let found = ends(run.text).find_map(|name| {
-                let place = self.place_of(name).filter(|_| is_telling(name))?;
+                let place = is_telling(name).then(|| self.place_of(name))??;
                 Some((name, place))
             });
             if let Some((name, place)) = found {
@@ -80,6 +80,9 @@ fn is_telling(name: &str) -> bool {
     name.contains(|c: char| c.is_ascii_digit()) || name.len() > 2 && name.chars().skip(1).any(is_own)
 }
 
+/// How far a name of a parameter goes at most: from each word on, no more of a longer run is looked at.
+const LONGEST: usize = 64;
+
 /// Signs in a row of which names of parameters are made.
 struct Run<'t> {
     start: usize,
@@ -91,9 +94,14 @@ struct Run<'t> {
 fn next_run(plain: &str, from: usize) -> Option<Run<'_>> {
     let rest = plain.get(from..)?;
     let start = from + rest.find(is_word)?;
-    let text = plain.get(start..)?;
-    let text = text.get(..text.find(|c| !is_word(c) && !"[].-".contains(c)).unwrap_or(text.len()))?;
-    let end = start + text.find(|c| !is_word(c)).unwrap_or(text.len());
+    let rest = plain.get(start..)?;
+    let end = start + rest.find(|c| !is_word(c)).unwrap_or(rest.len());
+    let near = rest.char_indices().nth(LONGEST).map_or(rest, |(place, _)| rest.split_at(place).0);
+    let text = match near.find(|c| !is_word(c) && !"[].-".contains(c)) {
+        Some(length) => near.split_at(length).0,
+        None if near.len() < rest.len() => near.trim_end_matches(is_word),
+        None => near,
+    };
     Some(Run { start, end, text })
 }
 

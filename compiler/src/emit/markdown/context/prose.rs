@@ -11,14 +11,13 @@ impl Context<'_> {
             return self.words(plain.trim());
         }
         let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
-        // two in a row open and close nothing, and would stand for other things in Markdown
-        if !plain.matches('`').count().is_multiple_of(2) || plain.contains("``") {
-            return self.words(&plain);
+        let (mut out, mut rest) = (String::with_capacity(plain.len()), &*plain);
+        while let Some((before, typed, after)) = span(rest) {
+            out += &self.words(before);
+            out += &self.typed(typed);
+            rest = after;
         }
-        let parts = plain.split('`').enumerate();
-        parts
-            .map(|(place, part)| if place.is_multiple_of(2) { self.words(part) } else { self.typed(part) })
-            .collect()
+        out + &self.words(rest)
     }
 
     /// Text on one line, if there is any.
@@ -82,6 +81,16 @@ impl<'a> Number<'a> {
             None => Self { digits, subindex: None, rest },
         }
     }
+}
+
+/// What stands between the first two backticks, with what is before and behind. Those beside others open and close nothing, and
+/// would stand for other things in Markdown.
+fn span(text: &str) -> Option<(&str, &str, &str)> {
+    let is_tick = |place: Option<usize>| place.and_then(|place| text.as_bytes().get(place)) == Some(&b'`');
+    let ticks = text.match_indices('`').map(|(place, _)| place);
+    let mut alone = ticks.filter(|place| !is_tick(place.checked_sub(1)) && !is_tick(place.checked_add(1)));
+    let (open, close) = (alone.next()?, alone.next()?);
+    Some((text.get(..open)?, text.get(open + 1..close)?, text.get(close + 1..)?))
 }
 
 fn split_hex(text: &str) -> (&str, &str) {
