@@ -62,6 +62,16 @@ pub(super) fn above(a: &Value, b: &Value) -> bool {
     }
 }
 
+/// The limit that a value is beyond, the side of it that the value is on, and the key that says it: of the least and the
+/// greatest, each with its key.
+pub(super) fn beyond<'v>(
+    value: &Value,
+    [(min, min_key), (max, max_key)]: [(Option<&'v Value>, &'static str); 2],
+) -> Option<(&'v Value, &'static str, &'static str)> {
+    let low = min.filter(|min| above(min, value)).map(|min| (min, "below", min_key));
+    low.or_else(|| max.filter(|max| above(value, max)).map(|max| (max, "above", max_key)))
+}
+
 /// The first and the last value of an entry if it says what each of its values means: two and more without gaps, and they
 /// have no unit. A few special values among many are no list of all.
 pub(super) fn all_values(entry: &Entry) -> Option<(i128, i128)> {

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Place, Section};
+use crate::model::{CycleTime, Device, Place, Section};
 use crate::source::Location;
 
 rule! {
@@ -32,22 +32,17 @@ pub(super) fn check(device: &Device, report: &mut Report) {
 }
 
 /// The tables that say nothing, and what they lack.
-fn hollow(device: &Device) -> Vec<(Place, Location, &'static str)> {
-    let mut hollow = Vec::new();
-    macro_rules! hollow {
-        ($($field:ident by $id:ident: $section:ident, $is_hollow:expr, $lacks:literal;)+) => {
-            $(
-                let found = device.$field.iter().filter($is_hollow);
-                hollow.extend(found.map(|it| (Section::$section.at(&it.$id), it.origin.header(), $lacks)));
-            )+
-        };
-    }
-    hollow! {
-        telegrams by id: Telegrams, |it| it.fields.is_empty(), "no bytes";
-        procedures by id: Procedures, |it| it.steps.is_empty(), "no steps";
-        cycle_times by id: CycleTimes, |it| it.min.is_none() && it.choices.is_empty() && it.about.is_none(),
-            "neither `min` nor `choices`";
-        enumerations by id: Enumerations, |it| it.values.is_empty(), "no values";
-    }
-    hollow
+fn hollow(device: &Device) -> impl Iterator<Item = (Place, Location, &'static str)> {
+    let telegrams = device.telegrams.iter().filter(|it| it.fields.is_empty());
+    let telegrams = telegrams.map(|it| (Section::Telegrams.at(&it.id), it.origin.header(), "no bytes"));
+    let procedures = device.procedures.iter().filter(|it| it.steps.is_empty());
+    let procedures = procedures.map(|it| (Section::Procedures.at(&it.id), it.origin.header(), "no steps"));
+    let says_nothing = |it: &&CycleTime| it.min.is_none() && it.choices.is_empty() && it.about.is_none();
+    let times = device.cycle_times.iter().filter(says_nothing);
+    let lacks = "neither `min` nor `choices`";
+    let times = times.map(move |it| (Section::CycleTimes.at(&it.id), it.origin.header(), lacks));
+    let enumerations = device.enumerations.iter().filter(|it| it.values.is_empty());
+    let enumerations =
+        enumerations.map(|it| (Section::Enumerations.at(&it.id), it.origin.header(), "no values"));
+    telegrams.chain(procedures).chain(times).chain(enumerations)
 }

@@ -29,19 +29,16 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device).filter(|(_, entry)| !entry.access.writable()) {
-        let keys = [("written", entry.written.is_some()), ("effective", entry.effective.is_some())];
-        let trigger = entry.trigger.is_some() && entry.origin.has("trigger");
-        if trigger && !lookup::is_shared(object, entry, "trigger") {
-            let message = format!("{} says what writing it sets off, but cannot be written", entry.address);
-            let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value("trigger"), "of no use")
-                .label(entry.origin.value("access"), "read only");
-            report.push(lookup::name(object, entry), diagnostic);
-        }
-        for (key, _) in keys.into_iter().filter(|(key, says)| *says && entry.origin.has(key)) {
+        let keys = [
+            ("trigger", entry.trigger.is_some(), "what writing it sets off"),
+            ("written", entry.written.is_some(), "when it is `written`"),
+            ("effective", entry.effective.is_some(), "when it is `effective`"),
+        ];
+        for (key, _, what) in keys.into_iter().filter(|(key, says, _)| *says && entry.origin.has(key)) {
             if lookup::is_shared(object, entry, key) {
                 continue;
             }
-            let message = format!("{} says when it is `{key}`, but cannot be written", entry.address);
+            let message = format!("{} says {what}, but cannot be written", entry.address);
             let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value(key), "of no use")
                 .label(entry.origin.value("access"), "read only");
             report.push(lookup::name(object, entry), diagnostic);

@@ -54,15 +54,14 @@ const KEYS: [&str; 3] = ["default", "min", "max"];
 /// Judges a default by the least and the greatest value.
 fn judge(
     values: [Option<&Value>; 3],
-    [default_key, min_key, max_key]: [&str; 3],
+    [default_key, min_key, max_key]: [&'static str; 3],
     origin: &Origin,
     name: Place,
     report: &mut Report,
 ) {
     let [Some(default), min, max] = values else { return };
-    let low = min.filter(|min| lookup::above(min, default)).map(|min| (min, "below", min_key));
-    let high = max.filter(|max| lookup::above(default, max)).map(|max| (max, "above", max_key));
-    let Some((limit, side, key)) = low.or(high) else { return };
+    let limits = [(min, min_key), (max, max_key)];
+    let Some((limit, side, key)) = lookup::beyond(default, limits) else { return };
     let message = format!("{name} is {default} by default, {side} its limit {limit}");
     let at = origin.value(default_key);
     let diagnostic = Diagnostic::new(&RULE, message, at, format!("{side} {limit}"));

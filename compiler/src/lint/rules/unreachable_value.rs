@@ -54,11 +54,8 @@ fn judge(
     name: Place,
     report: &mut Report,
 ) {
-    let beyond = |value: &Value| {
-        let low = min.filter(|min| lookup::above(min, value)).map(|min| (min, "below", "min"));
-        low.or_else(|| max.filter(|max| lookup::above(value, max)).map(|max| (max, "above", "max")))
-    };
-    let found = values.find_map(|(value, key)| Some((beyond(&value)?, value, key)));
+    let limits = [(min, "min"), (max, "max")];
+    let found = values.find_map(|(value, key)| Some((lookup::beyond(&value, limits)?, value, key)));
     let Some(((limit, side, limit_key), value, key)) = found else { return };
     let message = format!("{name} is never {value}, which is {side} its limit {limit}");
     let diagnostic = Diagnostic::new(&RULE, message, origin.value(key), format!("{value} is here"));

@@ -60,8 +60,7 @@ fn beyond(device: &Device, values: [(u8, i64); 2]) -> Option<&Entry> {
             .filter_map(|(subindex, value)| Some((object.entry(subindex)?, Value::Integer(value))))
     });
     let found = entries.find(|(entry, value)| {
-        let is_above = entry.max.as_ref().is_some_and(|max| lookup::above(value, max));
-        is_above || entry.min.as_ref().is_some_and(|min| lookup::above(min, value))
+        lookup::beyond(value, [(entry.min.as_ref(), "min"), (entry.max.as_ref(), "max")]).is_some()
     });
     found.map(|(entry, _)| entry)
 }
