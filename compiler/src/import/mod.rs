@@ -20,6 +20,7 @@ use std::path::Path;
 use self::read::{Element, Format, List, Sheet};
 use self::recognise::Draft;
 use crate::diagnostic::Level;
+use crate::model::Pdo;
 use crate::source::Memory;
 use crate::text::characters::hazard;
 
@@ -167,9 +168,6 @@ fn refusal(text: &str, (at, why): (read::At, String)) -> Refusal {
     Refusal { place: Some(place(text, at)), why, choices: Vec::new() }
 }
 
-/// What a mapping object has room for, CiA 301: subindex 255 is kept.
-const MOST_MAPPED: usize = 254;
-
 /// A device of a file as a description, with the word for it and its name.
 fn member(
     (info, element): (&Element<'_>, &Element<'_>),
@@ -180,8 +178,8 @@ fn member(
         return Err((at, "its dictionary has more values than devc holds".to_owned()));
     }
     let mut pdos = device.rx_pdos.iter().chain(&device.tx_pdos);
-    if let Some(pdo) = pdos.find(|pdo| pdo.entries.len() > MOST_MAPPED) {
-        let why = format!("its PDO 0x{:04X} has {} entries; {MOST_MAPPED} fit", pdo.index, pdo.entries.len());
+    if let Some(pdo) = pdos.find(|pdo| pdo.entries.len() > Pdo::ROOM) {
+        let why = format!("its PDO 0x{:04X} has {} entries; {} fit", pdo.index, pdo.entries.len(), Pdo::ROOM);
         return Err((pdo.at, why));
     }
     let parts = || std::iter::once(&element).chain(&modules);

@@ -134,6 +134,10 @@ impl Mapped {
 }
 
 impl Pdo {
+    /// What a mapping object, or an assignment, has room for: subindices 1 to 254, since 0 is their number and CiA 301 keeps
+    /// 255 for itself.
+    pub(crate) const ROOM: usize = 254;
+
     /// The width in bits.
     pub fn bits(&self) -> u32 {
         self.entries.iter().map(|entry| entry.bits).sum()

@@ -2,16 +2,13 @@
 
 use crate::model::{Direction, Entry, Object, Pdo};
 
-/// The last subindex of a mapping object, ETG.1000.6.
-const LAST: usize = 254;
-
 /// How many entries the mapping object of a PDO has room for: what is said; if nothing is, as many as it has if its mapping
 /// is fixed, and else everything that can be mapped once, as far as its bytes and those of its sync manager go with the narrowest of that.
 pub(super) fn entries(pdo: &Pdo, objects: &[Object], carried: Option<u16>) -> usize {
     let used = pdo.entries.len();
     let usual = || if pdo.fixed { used } else { fitting(pdo, objects, carried) };
     let takes = pdo.max_entries.map_or_else(usual, usize::from);
-    takes.min(LAST).max(used)
+    takes.min(Pdo::ROOM).max(used)
 }
 
 fn fitting(pdo: &Pdo, objects: &[Object], carried: Option<u16>) -> usize {
@@ -19,7 +16,8 @@ fn fitting(pdo: &Pdo, objects: &[Object], carried: Option<u16>) -> usize {
         || mappable(objects, pdo.direction).map(|entry| entry.data_type.bits()).filter(|bits| *bits > 0);
     let bytes = [pdo.max_bytes, carried].into_iter().flatten().min();
     let narrowest = widths().min().unwrap_or(1);
-    let room = bytes.map_or(LAST, |bytes| usize::from(bytes) * 8 / usize::try_from(narrowest).unwrap_or(1));
+    let room =
+        bytes.map_or(Pdo::ROOM, |bytes| usize::from(bytes) * 8 / usize::try_from(narrowest).unwrap_or(1));
     room.min(widths().count())
 }
 

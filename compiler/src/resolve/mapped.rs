@@ -7,16 +7,12 @@ use super::context::Context;
 use super::{names, numbered, objects};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::{self, Siblings};
-use crate::model::{Address, DataType, Entry, Mapped, Object};
+use crate::model::{Address, DataType, Entry, Mapped, Object, Pdo};
 use crate::raw::RawMapped;
 use crate::source::{Key, Layer, Location, Member, Origin, Table, keys};
 
 /// What a sync manager can carry: its length is a number of bytes in 16 bits.
 const MAX_BITS: u32 = u16::MAX as u32 * 8;
-
-/// What a mapping object, or an assignment, has room for: subindices 1 to 254, since 0 is their number and CiA 301 keeps
-/// 255 for itself.
-pub(super) const MOST: usize = 254;
 
 /// What is mapped, each entry behind the one before.
 pub(super) fn mapped(
@@ -36,9 +32,14 @@ pub(super) fn mapped(
     let all: Vec<_> = spans.collect();
     for (i, (place, entry)) in all.iter().enumerate() {
         let at = place.header();
-        if i == MOST {
+        if i == Pdo::ROOM {
             let message = format!("{} entries do not fit a PDO", all.len());
-            context.fault(&faults::UNFIT_VALUE, message, at, &format!("a mapping object holds {MOST}"));
+            context.fault(
+                &faults::UNFIT_VALUE,
+                message,
+                at,
+                &format!("a mapping object holds {}", Pdo::ROOM),
+            );
             break;
         }
         if let Some(found) = one(context, entry, place, axis, objects) {

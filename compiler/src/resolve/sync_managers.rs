@@ -1,7 +1,7 @@
 //! Sync managers.
 
 use super::context::Context;
-use super::{mapped, names, pdos};
+use super::{names, pdos};
 use crate::diagnostic::faults;
 use crate::model::{Index, Pdo, Role, SyncManager};
 use crate::raw::{RawPdo, RawSyncManager};
@@ -109,9 +109,9 @@ fn assigned(context: &mut Context<'_>, entity: &RawSyncManager, described: &[&Ra
             }
         }
     }
-    if assigned.len() > mapped::MOST {
+    if assigned.len() > Pdo::ROOM {
         let message = format!("{} PDOs cannot be assigned to one sync manager", assigned.len());
-        let label = format!("an assignment holds {}", mapped::MOST);
+        let label = format!("an assignment holds {}", Pdo::ROOM);
         context.fault(&faults::UNFIT_VALUE, message, entity.origin.value("pdos"), &label);
     }
     assigned.sort_by_key(|(axis, _)| *axis);
