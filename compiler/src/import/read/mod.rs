@@ -32,6 +32,7 @@ pub(super) use esi::{
 pub(super) use number::number;
 pub(super) use sdos::{List, list};
 pub(super) use sheet::Sheet;
+pub(super) use words::one_line;
 
 /// What a file can be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,7 +12,7 @@ const ENGLISH: &str = "1033";
 pub(super) fn name(parent: &Element<'_>, tag: &str) -> Option<String> {
     let chosen = chosen(parent, tag)?;
     chosen.attribute("LcId");
-    Some(plain(chosen.text()))
+    Some(one_line(chosen.text()))
 }
 
 /// The names in other languages than the one that is taken for English. What says the same in another language says
@@ -27,7 +27,7 @@ pub(super) fn others(parent: &Element<'_>, tag: &str) -> Texts {
         else {
             continue;
         };
-        let text = plain(other.text());
+        let text = one_line(other.text());
         if Some(&text) != english.as_ref() {
             texts.push((language, text));
         }
@@ -39,7 +39,8 @@ fn language(lcid: &str) -> Option<Language> {
     number(lcid).and_then(Language::of_lcid)
 }
 
-fn plain(text: &str) -> String {
+/// A text in several lines as one line.
+pub(in super::super) fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

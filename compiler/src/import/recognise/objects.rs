@@ -1,5 +1,6 @@
 //! Objects, each with the difference from what a profile says of it.
 
+use super::super::read::one_line;
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, get, set, set_some};
 use super::described::{Described, difference};
@@ -30,7 +31,7 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
     let of_profile = base.map(Base::value).unwrap_or_default();
     if let Some(about) = &object.about
         && get(&keys, "about").is_none()
-        && get(&of_profile, "about").is_none_or(|known| *known != Toml::text(words::one_line(about)))
+        && get(&of_profile, "about").is_none_or(|known| *known != Toml::text(one_line(about)))
     {
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
         keys.insert(place, ("about".to_owned(), Toml::text(about)));

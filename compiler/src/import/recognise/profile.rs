@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::super::read::one_line;
 use super::super::toml::{Keys, Toml, set};
 use super::words;
 use crate::diagnostic::Diagnostics;
@@ -111,7 +112,7 @@ fn keys(entry: &RawEntry) -> Keys {
     add("pdo", entry.pdo.map(|it| words::mappable(it).to_owned()));
     add("category", entry.category.map(|it| words::category(it).to_owned()));
     add("written", entry.written.map(|it| words::window(it).to_owned()));
-    add("about", entry.about.as_deref().map(words::one_line));
+    add("about", entry.about.as_deref().map(one_line));
     for (name, is_so) in [("backup", entry.backup), ("setting", entry.setting)] {
         if let Some(is_so) = is_so {
             set(&mut keys, name, Toml::Bool(is_so));

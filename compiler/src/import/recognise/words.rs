@@ -123,11 +123,6 @@ pub(super) fn alike(one: &str, other: &str) -> bool {
     letters(one) == letters(other)
 }
 
-/// A text in several lines as one line, as an ESI has it.
-pub(super) fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 /// Whether a name is another than the one `known`, which is taken where only the spelling differs.
 pub(super) fn is_other(name: &str, known: Option<&str>, at: At, report: &mut Report) -> bool {
     let Some(known) = known.filter(|known| alike(known, name)) else { return true };
