@@ -8,6 +8,7 @@ mod said;
 mod value;
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 pub(super) use said::{assumption_id, erratum_id, once};
 
@@ -27,15 +28,19 @@ pub(super) struct Context<'a> {
     /// What the document is.
     pub(super) form: Form,
     /// The anchors of the vendor's parameters, by name.
-    places: BTreeMap<&'a str, String>,
+    places: Rc<BTreeMap<&'a str, String>>,
 }
 
 impl<'a> Context<'a> {
-    /// A device in a document with others of its family: what it names but lacks may be described for them.
-    pub(super) fn new(device: &'a Device, members: &'a [Context<'a>], editorial: bool, form: Form) -> Self {
-        let mut context = Self { device, members, editorial, form, places: BTreeMap::new() };
-        context.places = context.places();
-        context
+    /// A device in a document of its own.
+    pub(super) fn new(device: &'a Device, editorial: bool, form: Form) -> Self {
+        let context = Self { device, members: &[], editorial, form, places: Rc::default() };
+        Self { places: context.places().into(), ..context }
+    }
+
+    /// The device in a document with others of its family: what it names but lacks may be described for them.
+    pub(super) fn among(&self, members: &'a [Context<'a>]) -> Self {
+        Self { members, places: Rc::clone(&self.places), ..*self }
     }
 
     /// The anchor of an object; that of the first axis stands for all.

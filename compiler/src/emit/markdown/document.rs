@@ -47,10 +47,8 @@ pub(in crate::emit) fn front(family: &Family) -> Page {
 /// The chapters; a text begins with a list of what is in them.
 pub(in crate::emit) fn body(family: &Family, editorial: bool, form: Form) -> Page {
     let members: Vec<Context<'_>> =
-        family.members.iter().map(|device| Context::new(device, &[], editorial, form)).collect();
-    let bodies = family.members.iter();
-    let bodies = bodies.map(|device| body_of(&Context::new(device, &members, editorial, form)));
-    let bodies: Vec<Page> = bodies.collect();
+        family.members.iter().map(|device| Context::new(device, editorial, form)).collect();
+    let bodies: Vec<Page> = members.iter().map(|member| body_of(&member.among(&members))).collect();
     with_sources(match <[Page; 1]>::try_from(bodies) {
         Ok([alone]) => alone,
         Err(bodies) => family::body(family, bodies, form),

@@ -20,8 +20,8 @@ impl<'a> Context<'a> {
     /// Writes a text with no numbers of objects in it, with every parameter linked that it names.
     pub(super) fn named_parameters(&self, plain: &str, out: &mut String) {
         let mut written = 0;
-        let mut at = 0;
-        while let Some(run) = self.has_parameters().then(|| next_run(plain, at)).flatten() {
+        let mut at = if self.has_parameters() { 0 } else { plain.len() };
+        while let Some(run) = next_run(plain, at) {
             at = run.end;
             let found = ends(run.text).find_map(|name| {
                 let place = is_telling(name).then(|| self.place_of(name))??;
@@ -45,11 +45,10 @@ impl<'a> Context<'a> {
             rows.map(|parameter| (parameter.id.as_str(), self.parameter_id(parameter))).collect();
         for object in self.leading_objects() {
             let entries = object.entries.iter().filter_map(|entry| entry.parameter.as_deref());
-            let names = object.parameter.as_deref().into_iter().chain(entries);
+            let mut names = object.parameter.as_deref().into_iter().chain(entries).peekable();
+            let Some(place) = names.peek().and_then(|_| self.anchor(object.index)) else { continue };
             for name in names.flat_map(|name| [name, whole(name)]) {
-                if let Some(place) = self.anchor(object.index).filter(|_| !places.contains_key(name)) {
-                    places.insert(name, place);
-                }
+                places.entry(name).or_insert_with(|| place.clone());
             }
         }
         places

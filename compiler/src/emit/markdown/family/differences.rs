@@ -99,7 +99,7 @@ fn answer(yes: bool) -> String {
 
 /// The PDOs that a sync manager has at start-up, with the bytes that they make.
 fn assigned(device: &Device, role: Role) -> String {
-    let context = Context::new(device, &[], false, Form::Text);
+    let context = Context::new(device, false, Form::Text);
     let pdos = list(device.assigned(role).map(|pdo| context.index(pdo.index)));
     format!("{}: {pdos}", bytes(device.image_bytes(role)))
 }
