@@ -1565,6 +1565,8 @@ pub const fn state_text(state: State) -> &'static str {
 ///
 /// *0*: The drive gets its supply, or is restarted.
 ///
+/// *0*: Assumed: drawn only; the profile's.
+///
 /// *1*: The drive does this by itself.
 ///
 /// *2*: The activation function is enabled.
@@ -1591,6 +1593,8 @@ pub const fn state_text(state: State) -> &'static str {
 /// locked.
 ///
 /// *13*: The reaction to the fault begins.
+///
+/// *13*: Assumed: the transition is drawn only; the profile's.
 ///
 /// *14*: The reaction is over; power unit, drive function and activation function are locked.
 ///

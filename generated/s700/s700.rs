@@ -3770,6 +3770,9 @@ pub mod configurations {
 /// *Not ready to switch on* `x0xx 0000`: The amplifier is not ready: it still starts, or it has a
 /// fault. (3.4.1, 3.4.3)
 ///
+/// *Not ready to switch on*: Corrected, pattern; the source says: pattern = x1xx 0000. The same row as
+/// that of Switch on disabled; see there.
+///
 /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
 ///
 /// *Ready to switch on* `x0xx 0001`: The amplifier can be enabled by the controlword. (3.4.1, 3.4.3)
@@ -3781,10 +3784,17 @@ pub mod configurations {
 ///
 /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
 ///
+/// *Quick stop active*: Corrected, pattern; the source says: pattern = x00x 0011. Without bit 2, only
+/// bit 5 tells the state from Switched on. A decoder should take both.
+///
 /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
 /// stop ramp. (3.4.1, 3.4.3)
 ///
 /// *Fault* `x0xx 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
+///
+/// *Fault*: Corrected, pattern; the source says: pattern = x01x 1000. Bit 5 is shown only once bit 2 of
+/// the controlword rises while bits 0 and 1 are set, which need not have been before a fault; it is
+/// open in the profile. A master has to know a fault that shows 0x0008, to reset it.
 pub const STATES: StatePatterns = StatePatterns(&[
     (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
     (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -3824,6 +3834,8 @@ pub const fn state_text(state: State) -> &'static str {
 /// *6*: The amplifier is disabled.
 ///
 /// *7*: The switch-on inhibit is back.
+///
+/// *7*: Assumed, about: the manual says only that the rising edge lifts the inhibit.
 ///
 /// *8*: The amplifier is disabled.
 ///

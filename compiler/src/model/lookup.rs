@@ -1,6 +1,10 @@
 //! Finding parts of a device.
 
-use super::{Address, Device, Direction, Entry, Index, Object, Pdo, Role, SyncManager, SyncMode, Unit, Word};
+use super::{
+    Address, Device, Direction, Entry, Enumeration, Index, Object, Pdo, Role, SyncManager, SyncMode, Unit,
+    Word,
+};
+use crate::source::Value;
 
 impl Device {
     /// The object of this index.
@@ -89,6 +93,12 @@ impl Device {
     /// The unit of this id.
     pub fn unit(&self, id: &str) -> Option<&Unit> {
         self.units.iter().find(|unit| unit.id == id)
+    }
+
+    /// The enumeration that the values of an entry are from, if they are not its own.
+    pub fn enumeration_of(&self, entry: &Entry) -> Option<&Enumeration> {
+        let Value::String(id) = &entry.origin.node("values")?.value else { return None };
+        self.enumerations.iter().find(|enumeration| enumeration.id == **id)
     }
 
     /// The bytes of the process image that the sync managers of a role carry by default.

@@ -37,7 +37,7 @@ struct Named<'a> {
 pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
     let Device { vendor, vendor_codes, al_status_codes, .. } = scope.device;
     let of_entries = scope.types.codes.iter().map(|code| {
-        let item = Item::new(code.name.clone(), || of_entry(code).tokens(scope.runtime));
+        let item = Item::new(code.name.clone(), || of_entry(code, scope.device).tokens(scope.runtime));
         let title = super::entry::title(code.entry);
         item.of(&code.entry.values).of(&code.entry.about).told(format!("{title}{:?}", code.primitive))
     });
@@ -60,7 +60,7 @@ fn al_status_name() -> Ident {
     format_ident!("AlStatusCode")
 }
 
-fn of_entry<'a>(code: &Code<'a>) -> Newtype<'a> {
+fn of_entry<'a>(code: &Code<'a>, device: &Device) -> Newtype<'a> {
     let values = code.entry.values.iter().map(|meaning| Named {
         literal: number(meaning.value),
         id: &meaning.id,
@@ -68,8 +68,11 @@ fn of_entry<'a>(code: &Code<'a>) -> Newtype<'a> {
         text: meaning.about.clone(),
         doc: Doc::new(sentence(&meaning.name)).maybe(meaning.about.as_deref()),
     });
+    let doc = Doc::new(super::entry::title(code.entry)).maybe(code.entry.about.as_deref());
+    let enumeration = device.enumeration_of(code.entry).into_iter();
+    let doc = enumeration.fold(doc, |doc, named| doc.departing(&["values"], &named.origin, device));
     Newtype {
-        doc: Doc::new(super::entry::title(code.entry)).maybe(code.entry.about.as_deref()),
+        doc,
         name: code.name.clone(),
         primitive: code.primitive,
         shown: "{}",

@@ -1,5 +1,7 @@
 //! Doc comments.
 
+use std::fmt::Display;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, TokenStreamExt, quote};
 
@@ -81,6 +83,15 @@ impl Doc {
         self.sentences(departures_of(keys, origin, device).into_iter())
     }
 
+    /// A paragraph with such sentences for a row of a table, which has no documentation of its own.
+    pub(super) fn of_row(self, row: impl Display, keys: &[&str], origin: &Origin, device: &Device) -> Self {
+        let departures = departures_of(keys, origin, device);
+        match departures.is_empty() {
+            true => self,
+            false => self.text(&format!("*{row}*: {}", escape(&departures.join(" ")))),
+        }
+    }
+
     /// A sentence for each reason, or erratum, for what a PDO carries: its type, which members of a family share, tells
     /// only the rest.
     pub(super) fn carrying(self, pdo: &Pdo, device: &Device) -> Self {
@@ -121,7 +132,7 @@ impl ToTokens for Doc {
 }
 
 /// A sentence for each of these keys that no source states as it stands here.
-pub(super) fn departures_of(keys: &[&str], origin: &Origin, device: &Device) -> Vec<String> {
+fn departures_of(keys: &[&str], origin: &Origin, device: &Device) -> Vec<String> {
     let mut facts = facts(origin);
     facts.retain(|(path, _)| keys.contains(&path.as_str()));
     departures(origin, facts, device)

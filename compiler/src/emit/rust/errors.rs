@@ -30,6 +30,10 @@ fn code(scope: &Scope<'_>, name: &Ident) -> (Doc, TokenStream) {
     let constants = codes.iter().map(|code| constant(scope, code, &names.claim(&shout(&code.id))));
     let (table, runtime) = (table(name, &codes, &ranges), scope.runtime);
     let doc = Doc::new("`0x603F` An error code. Codes that the description does not name keep their number.");
+    let doc = ranges.iter().fold(doc, |doc, range| {
+        let row = format!("0x{:04X} to 0x{:04X}", range.code, range.last);
+        doc.of_row(row, ERROR, &range.origin, scope.device)
+    });
     let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct #name(pub u16);
@@ -60,11 +64,13 @@ fn values(device: &Device) -> Vec<ErrorCode> {
         name: value.name.clone(),
         about: value.about.clone(),
         source: entry.source.clone(),
-        origin: entry.origin.clone(),
         ..ErrorCode::default()
     };
     codes.map(error).collect()
 }
+
+/// What the constants and the table are made of.
+const ERROR: &[&str] = &["name", "register", "vendor-codes", "about", "remedy"];
 
 fn constant(scope: &Scope<'_>, error: &ErrorCode, name: &Ident) -> TokenStream {
     let vendor: Vec<String> = error.vendor_codes.iter().map(u32::to_string).collect();
@@ -76,7 +82,8 @@ fn constant(scope: &Scope<'_>, error: &ErrorCode, name: &Ident) -> TokenStream {
     let facts: Vec<String> = facts.into_iter().flatten().collect();
     let doc = Doc::new(format!("{} {}", sentence(&error.name), escape(&facts.join(" "))))
         .maybe(error.about.as_deref())
-        .maybe(error.remedy.as_deref());
+        .maybe(error.remedy.as_deref())
+        .departing(ERROR, &error.origin, scope.device);
     let code = hex16(error.code);
     quote!(#doc pub const #name: Self = Self(#code);)
 }

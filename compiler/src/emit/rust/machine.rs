@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::doc::{Doc, departures_of, escape};
+use super::doc::Doc;
 use super::item::{Item, Space};
 use super::literal::{hex16, number};
 use super::names::Names;
@@ -69,13 +69,11 @@ fn conditions(device: &Device) -> (Doc, TokenStream) {
         quote!(Condition::#how(#number, #events))
     });
     let doc = Doc::new("What makes or hinders transitions besides commands, the most urgent first.");
-    let doc = device.transitions.iter().filter(|one| one.supported).fold(doc, |doc, one| {
-        let departures = departures_of(&["events", "interlocks"], &one.origin, device);
-        match departures.is_empty() {
-            true => doc,
-            false => doc.text(&format!("*{}*: {}", one.number, escape(&departures.join(" ")))),
-        }
-    });
+    let doc = device
+        .transitions
+        .iter()
+        .filter(|one| one.supported)
+        .fold(doc, |doc, one| doc.of_row(one.number, &["events", "interlocks"], &one.origin, device));
     (doc, quote!(pub const CONDITIONS: &[Condition] = &[#(#rows),*];))
 }
 
@@ -115,8 +113,14 @@ fn modes(device: &Device) -> (Doc, TokenStream) {
             refusal: #refusal,
         };
     };
-    let doc = "The modes of operation by their numbers, and how the drive goes from one to another.";
-    (Doc::new(doc), code)
+    let doc =
+        Doc::new("The modes of operation by their numbers, and how the drive goes from one to another.");
+    let doc = device.mode_changes.iter().fold(doc, |doc, change| {
+        let listed = |codes: &[i16]| codes.iter().map(i16::to_string).collect::<Vec<_>>().join(", ");
+        let row = format!("{} to {}", listed(&change.from), listed(&change.to));
+        doc.of_row(row, &["from", "to"], &change.origin, device)
+    });
+    (doc, code)
 }
 
 fn change(change: &ModeChange) -> TokenStream {

@@ -32,6 +32,9 @@ pub(super) fn state(id: &str) -> Option<Ident> {
     State::OF_PROFILE.contains(&id).then(|| camel(id))
 }
 
+/// What the table of states and their texts are made of.
+const STATE: &[&str] = &["name", "pattern", "about", "features"];
+
 fn patterns(device: &Device) -> (Doc, TokenStream) {
     let row = |one: &State| {
         let (name, pattern) = (state(&one.id)?, one.pattern.as_ref()?);
@@ -45,7 +48,8 @@ fn patterns(device: &Device) -> (Doc, TokenStream) {
         let source =
             state.source.as_ref().map_or(String::new(), |source| format!(" ({})", place(source, device)));
         let text = escape(&format!("{}{source}", text(state)));
-        doc.text(&format!("*{}*{pattern}: {text}", escape(&state.name)))
+        let name = escape(&state.name);
+        doc.text(&format!("*{name}*{pattern}: {text}")).of_row(name, STATE, &state.origin, device)
     });
     (doc, quote!(pub const STATES: StatePatterns = StatePatterns(&[#(#rows),*]);))
 }
@@ -84,8 +88,11 @@ fn transitions(device: &Device) -> (Doc, TokenStream) {
     let doc = Doc::new(
         "The transitions of the drive: number, states before, state after, axes that have to make it.",
     );
-    let told = supported.filter_map(|one| Some((one, one.about.as_deref()?)));
-    let doc = told.fold(doc, |doc, (one, about)| doc.text(&format!("*{}*: {}", one.number, escape(about))));
+    let doc = supported.fold(doc, |doc, one| {
+        let about = one.about.as_ref().map(|about| format!("*{}*: {}", one.number, escape(about)));
+        let doc = doc.text(&about.unwrap_or_default());
+        doc.of_row(one.number, &["from", "to", "axes", "supported", "about"], &one.origin, device)
+    });
     let code = quote! {
         pub const TRANSITIONS: &[Transition] = {
             const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {

@@ -7,7 +7,6 @@ use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Entry, Mode, Object, Pdo, Source};
-use crate::source::Value;
 
 /// What there is to say of an object.
 pub(super) enum Detail {
@@ -130,9 +129,6 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page
 
 /// The mark of an enumeration that the values of an entry are from.
 fn of_enumeration(context: &Context<'_>, entry: &Entry) -> String {
-    let Some(Value::String(id)) = entry.origin.node("values").map(|node| &node.value) else {
-        return String::new();
-    };
-    let named = context.device.enumerations.iter().find(|enumeration| enumeration.id == **id);
+    let named = context.device.enumeration_of(entry);
     named.map_or(String::new(), |named| context.mark(&named.origin, "values"))
 }
