@@ -144,7 +144,8 @@ pub struct RawEntry {
     pub properties: Vec<Property>,
 }
 
-/// What writing a value sets off.
+/// What writing a value sets off. Objects of axes that it names are those of the same axis, or of each axis if what is
+/// written is there once.
 #[derive(Debug, Default, Clone, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]

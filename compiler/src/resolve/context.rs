@@ -234,6 +234,15 @@ impl Context<'_> {
         }
     }
 
+    /// What an object of an axis means by `address`: that of its axis. An object that is there once means that of each axis.
+    pub(super) fn reached(&self, address: Address, axis: Option<u8>) -> Vec<Address> {
+        let axes = match axis {
+            Some(axis) => vec![Some(axis)],
+            None => self.copies(address.index).into_iter().map(|(axis, _)| axis).collect(),
+        };
+        axes.into_iter().map(|axis| self.on_axis(address, axis)).collect()
+    }
+
     /// The address on an axis of what `address` is on the first.
     pub(super) fn on_axis(&self, address: Address, axis: Option<u8>) -> Address {
         let shift = self.shifts.iter().find(|shift| (shift.first..=shift.last).contains(&address.index));

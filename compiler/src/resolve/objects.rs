@@ -116,10 +116,15 @@ pub(super) fn object(
     let id = names::object_id(raw);
     let name = value.name.clone().unwrap_or_else(|| id.clone());
     let is_single = entries.is_empty() && kind.is_none_or(|kind| kind == Kind::Var);
-    let entries = match is_single {
+    let mut entries = match is_single {
         true => vec![entries::single(context, raw, index, &name)?],
         false => entries::several(context, raw, index)?,
     };
+    for trigger in entries.iter_mut().filter_map(|entry| entry.trigger.as_mut()) {
+        for addresses in [&mut trigger.uses, &mut trigger.updates] {
+            *addresses = addresses.iter().flat_map(|address| context.reached(*address, axis)).collect();
+        }
+    }
     Some(Object {
         index,
         leading: raw.index,

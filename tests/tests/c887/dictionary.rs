@@ -162,3 +162,15 @@ fn axes_differ_only_in_comments() {
         }
     }
 }
+
+/// The chapter on coordinate systems, p. 17: activation changes the position of all axes. Each axis has an error code, p. 18.
+#[test]
+fn what_is_there_once_changes_all_axes() {
+    let updates = |subindex| {
+        let trigger = entry(Address { index: Index(0x5010), subindex }).trigger.as_ref();
+        trigger.expect("it sets something off").updates.iter().map(|address| address.index.0)
+    };
+    let positions = [0x6064, 0x6864, 0x7064, 0x7864, 0x8064, 0x8864];
+    assert!(updates(1).eq(positions) && updates(2).eq(positions));
+    assert!(updates(4).eq([0x1001, 0x603F, 0x683F, 0x703F, 0x783F, 0x803F, 0x883F]));
+}

@@ -2,7 +2,7 @@
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, sentence, text};
-use crate::model::{Effective, Entry, Object, Property, Safety, SdoAccess, Stored, Trigger};
+use crate::model::{Address, Effective, Entry, Object, Property, Safety, SdoAccess, Stored, Trigger};
 use crate::source::Origin;
 
 /// What objects and entries both can say.
@@ -154,19 +154,34 @@ pub(super) fn triggered(context: &Context<'_>, entry: &Entry, trigger: &Trigger)
 }
 
 fn trigger_text(context: &Context<'_>, entry: &Entry, trigger: &Trigger) -> String {
-    let named = |addresses: &[_]| list(addresses.iter().map(|address| context.named(*address)));
     let mut text =
         format!("Writing {}: {}", context.value(entry, &trigger.value), context.prose(&trigger.action));
     if let Some(mode) = trigger.mode {
         text.push_str(&format!("; only in mode {}", context.mode(mode)));
     }
     if !trigger.uses.is_empty() {
-        text.push_str(&format!("; it takes {}", named(&trigger.uses)));
+        text.push_str(&format!("; it takes {}", reached(context, &trigger.uses)));
     }
     if !trigger.updates.is_empty() {
-        text.push_str(&format!("; it changes {}", named(&trigger.updates)));
+        text.push_str(&format!("; it changes {}", reached(context, &trigger.updates)));
     }
     sentence(&text)
+}
+
+/// The objects of a list of references; one that is there for each axis once.
+fn reached(context: &Context<'_>, addresses: &[Address]) -> String {
+    let leading = |address: &Address| {
+        let object = context.device.object(address.index);
+        Address { index: object.map_or(address.index, |object| object.leading), ..*address }
+    };
+    let first = addresses
+        .iter()
+        .filter(|address| leading(address) == **address || !addresses.contains(&leading(address)));
+    list(first.map(|first| {
+        let is_of_each = addresses.iter().filter(|address| leading(address) == *first).count() > 1;
+        let whose = if is_of_each { " of each axis" } else { "" };
+        context.named(*first) + whose
+    }))
 }
 
 /// What the vendor's tools are told.
