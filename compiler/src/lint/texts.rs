@@ -49,14 +49,24 @@ pub(super) fn named(device: &Device) -> Vec<Named<'_>> {
         entries.for_each(|it| add(it.address.into(), &it.name, &it.origin));
     }
     device.pdos.iter().for_each(|it| add(it.index.into(), &it.name, &it.origin));
-    device.states.iter().for_each(|it| add(Section::States.at(&it.id), &it.name, &it.origin));
-    device.commands.iter().for_each(|it| add(Section::Commands.at(&it.id), &it.name, &it.origin));
-    device.modes.iter().for_each(|it| add(Section::Modes.at(it.code), &it.name, &it.origin));
     device.errors.iter().for_each(|it| add(it.place(), &it.name, &it.origin));
     device.words.iter().for_each(|it| add(Section::Words.at(&it.id), &it.name, &it.origin));
+    all.extend(of_machine(device));
     all.extend(choices(device));
     all.extend(bits(device));
     all
+}
+
+/// The names of states, commands and modes.
+pub(super) fn of_machine(device: &Device) -> impl Iterator<Item = Named<'_>> {
+    let named = |at: Place, name, origin| Named { at, name, origin, path: "name".to_owned() };
+    let states = device.states.iter();
+    let states = states.map(move |it| named(Section::States.at(&it.id), &*it.name, &it.origin));
+    let commands = device.commands.iter();
+    let commands = commands.map(move |it| named(Section::Commands.at(&it.id), &*it.name, &it.origin));
+    let modes = device.modes.iter();
+    let modes = modes.map(move |it| named(Section::Modes.at(it.code), &*it.name, &it.origin));
+    states.chain(commands).chain(modes)
 }
 
 /// The names of what people choose among, and look for, outside the dictionary.

@@ -1,5 +1,7 @@
 //! The symbols of units, what they measure, and the quantities that people write.
 
+use crate::text::near::meant;
+
 /// A kind of physical quantity: symbols of the same kind can be converted into each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
@@ -44,6 +46,14 @@ impl Symbol {
     /// The symbol that is written so; none if it is the device's own, as increments are.
     pub fn find(text: &str) -> Option<&'static Self> {
         SYMBOLS.iter().find(|symbol| symbol.text == text)
+    }
+}
+
+impl Dimension {
+    /// The known quantity that is plainly meant by a word with a slip.
+    pub(crate) fn quantity_meant(wrong: &str) -> Option<&'static str> {
+        let words = QUANTITIES.iter().flat_map(|(words, _)| words.iter().copied());
+        meant(wrong, words).and_then(|(word, is_plain)| is_plain.then_some(word))
     }
 }
 

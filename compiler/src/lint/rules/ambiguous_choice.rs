@@ -7,7 +7,7 @@ use crate::model::{Device, Section};
 rule! {
     /// People choose a configuration, a way to keep time, a module or a procedure by its name, and tell sockets by what is
     /// printed beside them. Of two that have one name, nobody knows which is which. Two lights may have one name, if they
-    /// are told by their colours.
+    /// are told by their colours. So it is with states, commands and modes, which a log shows by their names.
     ///
     /// ## Fires
     /// ```toml
@@ -28,7 +28,8 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     let mut first = BTreeMap::new();
     let told_by_colour = |named: &texts::Named<'_>| named.at.section == Section::Leds;
-    for named in texts::choices(device).into_iter().filter(|named| !told_by_colour(named)) {
+    let all = texts::choices(device).into_iter().chain(texts::of_machine(device));
+    for named in all.filter(|named| !told_by_colour(named)) {
         let name = named.name.trim().to_lowercase();
         let place = named.origin.value(&named.path);
         if name.is_empty() {

@@ -1,11 +1,12 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, SYMBOLS, Section, Symbol};
+use crate::model::{Device, Dimension, SYMBOLS, Section, Symbol, dimensions};
 use crate::source::Value;
 
 rule! {
     /// A unit whose symbol is not known counts steps of the device's own. A known one in other letters, as `RPM` or `um`, looks
-    /// the same to people, but generated code does not convert its values any longer.
+    /// the same to people, but generated code does not convert its values any longer. A known quantity with a slip in it, as
+    /// `positon`, is measured in anything.
     ///
     /// ## Fires
     /// ```toml
@@ -32,11 +33,19 @@ rule! {
     /// type = "INT32"
     /// unit = "speed"
     /// ```
-    pub(super) static RULE = "misspelt-symbol", Values, Warning, "the symbol of a unit is not written as it is known";
+    pub(super) static RULE = "misspelt-symbol", Values, Warning, "the symbol or the quantity of a unit is not written as it is known";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for unit in &device.units {
+        let quantity = Some(&*unit.quantity).filter(|quantity| dimensions(quantity).is_none());
+        if let Some(meant) = quantity.and_then(Dimension::quantity_meant) {
+            let message = format!("the quantity `{}` of `{}` is not known", unit.quantity, unit.id);
+            let at = unit.origin.value("quantity");
+            let diagnostic = Diagnostic::new(&RULE, message, at, "is not held against the symbol");
+            let fix = format!("did you mean `{meant}`?");
+            report.push(Section::Units.at(&unit.id), diagnostic.fix(fix, at, format!("\"{meant}\"")));
+        }
         for symbol in unit.axes.iter().map(|axis| &*axis.symbol).filter(|it| Symbol::find(it).is_none()) {
             let Some(meant) = meant(symbol) else { continue };
             let shared = unit

@@ -54,8 +54,10 @@ pub(crate) mod foreign_state;
 mod hidden_command;
 mod hollow_table;
 mod idle_assumption;
+mod idle_change;
 mod idle_enumeration;
 pub(super) mod idle_erratum;
+mod idle_interlock;
 mod idle_mapped_entry;
 pub(super) mod idle_remark;
 mod idle_unit;
@@ -78,6 +80,7 @@ mod misplaced_sync_manager;
 pub(crate) mod missing_config_data;
 mod missing_group;
 mod missing_mandatory_pdo;
+mod missing_mode;
 mod missing_object;
 mod missing_sync_manager;
 mod missing_transition;
@@ -162,6 +165,7 @@ mod unreachable_value;
 mod unrepresentable_cycle_time;
 mod unrepresentable_value;
 mod unrestorable_value;
+mod unscalable_value;
 mod unscaled_axis;
 mod unsized_string;
 pub(crate) mod unslotted_axis;
@@ -198,11 +202,11 @@ lints! {
     deviating_access, deviating_kind, deviating_mapping, deviating_pattern, deviating_transition,
     deviating_type, differing_axis, disguised_choice, empty_limits, empty_name, empty_reason,
     excluded_assignment, foreign_protocol, foreign_state, hidden_command, hollow_table, idle_assumption,
-    idle_enumeration, idle_erratum, idle_mapped_entry, idle_remark, idle_unit, idle_write_window,
+    idle_change, idle_enumeration, idle_erratum, idle_interlock, idle_mapped_entry, idle_remark, idle_unit, idle_write_window,
     ignored_transition, impossible_boot_mailbox, impossible_eeprom_size, incomplete_timeouts, indistinct_bit,
     indistinct_members, inverted_limits, manufacturer_bit, meaningful_reserved_bit, misaligned_entry,
     misclassified_error, misdirected_entry, misordered_sync_managers, misplaced_pdo, misplaced_sync_manager,
-    missing_config_data, missing_group, missing_mandatory_pdo, missing_object, missing_sync_manager,
+    missing_config_data, missing_group, missing_mandatory_pdo, missing_mode, missing_object, missing_sync_manager,
     missing_transition, misspelt_name, misspelt_symbol, mixed_vendors, odd_count_type, one_sided_exclusion,
     opposed_switch, overfull_assignment, overlapping_areas, overlapping_bits, overlapping_bytes,
     overlapping_groups, overlapping_registers, overlapping_states, overlapping_sync_managers,
@@ -218,7 +222,7 @@ lints! {
     unlisted_vendor_code, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum,
     unnumbered_group, unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default,
     unreachable_transition, unreachable_value, unrepresentable_cycle_time, unrepresentable_value,
-    unrestorable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text,
+    unrestorable_value, unscalable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text,
     unspoken_ability, unsupported_configuration_mode, unsupported_cycle_mode, unsupported_cycle_time,
     unsupported_pdo_mode, unsupported_transition, unwritable_output, widthless_entry, withheld_bit,
 }

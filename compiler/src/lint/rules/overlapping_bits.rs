@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Field, Place, Section};
+use crate::model::{Device, Field, HomingBits, Mode, Place, Section};
 use crate::source::Origin;
 
 rule! {
@@ -48,6 +48,25 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     for mode in &device.modes {
         for (key, bits) in [("control-bits", &mode.control_bits), ("status-bits", &mode.status_bits)] {
             pairs(bits, &mode.origin, key, &Section::Modes.at(mode.code).at(key), report);
+        }
+        homing(mode, report);
+    }
+}
+
+/// Reports a bit of the statusword that tells two things of a reference run.
+fn homing(mode: &Mode, report: &mut Report) {
+    let Some(HomingBits { start: _, reached, attained, error }) = mode.homing_bits else { return };
+    for ((first, a), (second, b)) in [
+        (("reached", reached), ("attained", attained)),
+        (("reached", reached), ("error", error)),
+        (("attained", attained), ("error", error)),
+    ] {
+        if a == b {
+            let message = format!("bit {a} of the statusword is `{first}` and `{second}`");
+            let at = |key| mode.origin.value(&format!("homing-bits.{key}"));
+            let diagnostic =
+                Diagnostic::new(&RULE, message, at(second), "again here").label(at(first), "first here");
+            report.push(Section::Modes.at(mode.code).at("homing-bits"), diagnostic);
         }
     }
 }

@@ -1,0 +1,56 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::{Device, Section};
+use crate::source::Location;
+
+rule! {
+    /// A change that ends where it begins changes nothing: one of its ends was meant to be another. Programs that follow a
+    /// drive by its changes never see it.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [states]
+    /// ready-to-switch-on = { name = "Ready to switch on", pattern = "01" }
+    /// switched-on = { name = "Switched on", pattern = "11" }
+    ///
+    /// [transitions.3]
+    /// from = "switched-on"
+    /// to = "switched-on"
+    /// pattern = "x111"
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [states]
+    /// ready-to-switch-on = { name = "Ready to switch on", pattern = "01" }
+    /// switched-on = { name = "Switched on", pattern = "11" }
+    ///
+    /// [transitions.3]
+    /// from = "ready-to-switch-on"
+    /// to = "switched-on"
+    /// pattern = "x111"
+    /// ```
+    pub(super) static RULE = "idle-change", StateMachine, Warning, "a change ends where it begins";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for transition in &device.transitions {
+        if transition.from.iter().any(|from| *from == transition.to) {
+            let message = format!("transition {} goes from `{}` to itself", transition.number, transition.to);
+            let places = ["to", "from"].map(|key| transition.origin.value(key));
+            report.push(Section::Transitions.at(transition.number), finding(message, places));
+        }
+    }
+    for (number, change) in device.mode_changes.iter().enumerate() {
+        let ([from], [to]) = (&*change.from, &*change.to) else { continue };
+        if from == to {
+            let places = ["to", "from"].map(|key| change.origin.value(key));
+            let message = format!("a change of mode goes from {from} to itself");
+            report.push(Section::ModeChanges.at(number), finding(message, places));
+        }
+    }
+}
+
+fn finding(message: String, [to, from]: [Location; 2]) -> Diagnostic {
+    Diagnostic::new(&RULE, message, to, "ends here").label(from, "begins here")
+}
