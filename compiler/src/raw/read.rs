@@ -199,7 +199,7 @@ impl<'t> Sections<'t> {
 
     /// Reports sections that the format does not know, and gives what was gathered on the way.
     pub(super) fn finish(mut self) -> (Vec<Assumption>, Vec<Written>) {
-        self.known.extend(["include", "profiles", "source", "without", "family", "members"]);
+        self.known.extend(["include", "profiles", "source", "without", "members"]);
         for member in &self.tree.members {
             if !self.known.contains(&&*member.key.name) {
                 self.diagnostics.push(unknown_key(&member.key, &self.known));
