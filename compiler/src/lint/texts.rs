@@ -1,5 +1,7 @@
 //! The texts that travel to other tools.
 
+use std::borrow::Cow;
+
 use crate::model::{Device, Field, Place, Section};
 use crate::source::{Location, Origin};
 
@@ -30,19 +32,22 @@ pub(super) fn names(device: &Device) -> impl Iterator<Item = Text<'_>> {
     head.chain(pdos).chain(modes)
 }
 
+/// Where most tables have a name.
+const NAME: Cow<'static, str> = Cow::Borrowed("name");
+
 /// A name as it is written.
 pub(super) struct Named<'d> {
     pub(super) at: Place,
     pub(super) name: &'d str,
     pub(super) origin: &'d Origin,
     /// Where the table of the origin has it.
-    pub(super) path: String,
+    pub(super) path: Cow<'static, str>,
 }
 
 /// The names that people know parts of a device by.
 pub(super) fn named(device: &Device) -> Vec<Named<'_>> {
     let mut all = Vec::new();
-    let mut add = |at: Place, name, origin| all.push(Named { at, name, origin, path: "name".to_owned() });
+    let mut add = |at: Place, name, origin| all.push(Named { at, name, origin, path: NAME });
     for object in &device.objects {
         add(object.index.into(), object.name.as_str(), &object.origin);
         let entries = object.entries.iter().filter(|_| object.entries.len() > 1);
@@ -59,7 +64,7 @@ pub(super) fn named(device: &Device) -> Vec<Named<'_>> {
 
 /// The names of states, commands and modes.
 pub(super) fn of_machine(device: &Device) -> impl Iterator<Item = Named<'_>> {
-    let named = |at: Place, name, origin| Named { at, name, origin, path: "name".to_owned() };
+    let named = |at: Place, name, origin| Named { at, name, origin, path: NAME };
     let states = device.states.iter();
     let states = states.map(move |it| named(Section::States.at(&it.id), &*it.name, &it.origin));
     let commands = device.commands.iter();
@@ -79,7 +84,7 @@ pub(super) fn choices(device: &Device) -> Vec<Named<'_>> {
                     at: Section::$section.at(&it.$key),
                     name: &it.name,
                     origin: &it.origin,
-                    path: "name".to_owned(),
+                    path: NAME,
                 }));
             )+
         };
@@ -101,7 +106,7 @@ pub(super) fn choices(device: &Device) -> Vec<Named<'_>> {
         at: Section::MasterSettings.at(i),
         name: &it.name,
         origin: &it.origin,
-        path: "name".to_owned(),
+        path: NAME,
     }));
     all
 }
@@ -119,7 +124,7 @@ fn bits(device: &Device) -> impl Iterator<Item = Named<'_>> {
             let path = field.path(key);
             let long = format!("{path}.name");
             let path = if origin.has(&long) { long } else { path };
-            Named { at: at.clone().at(field.low), name: &field.name, origin, path }
+            Named { at: at.clone().at(field.low), name: &field.name, origin, path: path.into() }
         })
     })
 }

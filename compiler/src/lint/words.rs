@@ -119,10 +119,14 @@ impl<'n> Uses<'n> {
     /// one that is used less. A letter that is another one most often makes another word.
     fn slips(&self) -> BTreeMap<&str, &str> {
         let mut slips: BTreeMap<&str, &str> = BTreeMap::new();
+        let weights = self.weights();
         for (word, uses) in self.of_word.iter().filter(|(word, _)| word.chars().count() >= TOLD_APART) {
-            let shorter = without_one(word).filter(|short| short.chars().count() >= TOLD_APART);
+            let shorter = without_one(word, |weight| weights.contains_key(&weight));
+            let shorter = shorter.filter(|short| short.chars().count() >= TOLD_APART);
+            let has_double = weights.get(&weight(word)).is_some_and(|words| *words > 1);
+            let transposed = has_double.then(|| transposed(word)).into_iter().flatten();
             for (other, others) in
-                shorter.chain(transposed(word)).filter_map(|it| self.of_word.get_key_value(it.as_str()))
+                shorter.chain(transposed).filter_map(|it| self.of_word.get_key_value(it.as_str()))
             {
                 let (word, other): (&str, &str) = (word, other);
                 let (slip, meant) = if uses < others { (word, other) } else { (other, word) };
@@ -137,6 +141,15 @@ impl<'n> Uses<'n> {
             }
         }
         slips
+    }
+
+    /// How many words have each weight.
+    fn weights(&self) -> BTreeMap<u32, usize> {
+        let mut weights = BTreeMap::new();
+        for word in self.of_word.keys() {
+            *weights.entry(weight(word)).or_default() += 1;
+        }
+        weights
     }
 
     /// What a word with a number at its end is elsewhere, if it is so more often: the word, then a number.
@@ -158,12 +171,18 @@ impl<'n> Uses<'n> {
     }
 }
 
-/// A word without each of its letters in turn.
-fn without_one(word: &str) -> impl Iterator<Item = String> {
-    word.char_indices().map(|(at, letter)| {
-        let (before, rest) = word.split_at(at);
-        [before, rest.split_at(letter.len_utf8()).1].concat()
-    })
+/// What words with the same letters share, in whatever order: most words of which there is none need not be spelt.
+fn weight(word: &str) -> u32 {
+    word.bytes().map(|byte| u32::from(byte).pow(2)).sum()
+}
+
+/// A word without each of its letters in turn, if there may be a word of that weight.
+fn without_one(word: &str, is_there: impl Fn(u32) -> bool) -> impl Iterator<Item = String> {
+    let whole = weight(word);
+    let letters = word.char_indices().map(|(at, letter)| (at, at + letter.len_utf8()));
+    let parts = letters.filter_map(|(at, end)| Some((word.get(..at)?, word.get(at..end)?, word.get(end..)?)));
+    let parts = parts.filter(move |(_, letter, _)| is_there(whole - weight(letter)));
+    parts.map(|(before, _, rest)| [before, rest].concat())
 }
 
 /// A word with each two neighbours in the other order.

@@ -29,11 +29,16 @@ const OTHERS: &[(&str, &str)] =
     &[("why", "`empty-reason` judges it"), ("physics", "a space is a port that is not there")];
 
 pub(super) fn check(device: &Device, report: &mut Report) {
+    let slips = report.slips(device);
+    let mut blank = slips.iter().filter(|slip| slip.twice.is_none()).peekable();
+    if blank.peek().is_none() {
+        return;
+    }
     // `empty-name` judges these
     let names = texts::named(device).into_iter().map(|named| named.origin.value(&named.path));
     let head = ["name", "vendor", "group", "type-name"].map(|key| device.origin.value(key));
     let names: BTreeSet<_> = names.chain(head).collect();
-    for slip in report.slips(device).iter().filter(|slip| slip.twice.is_none()) {
+    for slip in blank {
         let [at, _] = slip.at;
         if !names.contains(&at) && !OTHERS.iter().any(|(name, _)| *name == slip.key) {
             let message = format!("{} is an empty text", slip.place);

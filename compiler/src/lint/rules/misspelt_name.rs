@@ -91,13 +91,13 @@ fn told(named: &Named<'_>, message: String) -> Diagnostic {
 
 /// The profile's name for it, which may stand alone or in a table.
 fn profile<'d>(named: &Named<'d>, report: &Report) -> Option<(&'d str, &'d Node)> {
-    let short = named.path.strip_suffix(".name");
-    let paths = [Some(named.path.clone()), short.map(str::to_owned), Some(format!("{}.name", named.path))];
-    paths.into_iter().flatten().find_map(|path| {
-        let node = report.profile(named.origin, &path)?;
+    let named_at = |path: &str| {
+        let node = report.profile(named.origin, path)?;
         match &node.value {
             Value::String(name) => Some((&**name, node)),
             _ => None,
         }
-    })
+    };
+    let short = || named.path.strip_suffix(".name");
+    named_at(&named.path).or_else(|| named_at(short()?)).or_else(|| named_at(&format!("{}.name", named.path)))
 }

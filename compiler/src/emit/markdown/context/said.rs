@@ -50,10 +50,12 @@ impl Context<'_> {
         let of_profile: Vec<&str> = of_profile.map(|(path, _)| path.as_str()).collect();
         let profile = (!of_profile.is_empty())
             .then(|| told("profile", None, &of_profile, of_profile.len() == facts.len()));
+        let anchors = facts.iter().filter(|(_, who)| has_reason(who));
+        let anchors: Vec<_> =
+            anchors.map(|(path, who)| (path.as_str(), self.anchors(origin, path, who))).collect();
         let others = ["assumed", "corrected", "contradicted"].into_iter().filter_map(|kind| {
-            let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
-            for (path, who) in &facts {
-                let Some(anchor) = self.anchors(origin, path, who).remove(kind) else { continue };
+            let mut reasons: Vec<(&String, Vec<&str>)> = Vec::new();
+            for (path, anchor) in anchors.iter().filter_map(|(path, of)| Some((*path, of.get(kind)?))) {
                 match reasons.iter_mut().find(|(same, _)| *same == anchor) {
                     Some((_, paths)) => paths.push(path),
                     None => reasons.push((anchor, vec![path])),
@@ -112,7 +114,7 @@ impl Context<'_> {
     /// Where the reason, or the erratum, for a fact stands, by the word for it. Errata answer what is assumed, too. The
     /// anchor is empty where none is listed.
     fn anchors(&self, origin: &Origin, path: &str, who: &Provenance) -> BTreeMap<&'static str, String> {
-        if *who == Provenance::Derived {
+        if !has_reason(who) {
             return BTreeMap::new();
         }
         let erratum = |number: u16| self.device.errata.get(usize::from(number)).map(erratum_id);
@@ -126,6 +128,11 @@ impl Context<'_> {
         });
         answer.into_iter().chain(reason).collect()
     }
+}
+
+/// Whether a reason or an erratum is behind a fact.
+fn has_reason(who: &Provenance) -> bool {
+    !matches!(who, Provenance::Stated | Provenance::Profile | Provenance::Derived)
 }
 
 /// Whether one reason is given for all of a table.

@@ -28,8 +28,11 @@ pub(super) fn align<T>(
     for (member, sequence) in sequences {
         let mut next = units.len();
         for item in sequence.into_iter().rev() {
-            let mut numbered = units.iter_mut().enumerate();
-            if let Some((place, unit)) = numbered.rfind(|(_, unit)| unit.takes(member, &item, &same)) {
+            // most sequences go on where the others do
+            let takes = |unit: &Unit<T>| unit.takes(member, &item, &same);
+            let expected = next.checked_sub(1).filter(|place| units.get(*place).is_some_and(takes));
+            let found = expected.or_else(|| units.iter().rposition(takes));
+            if let Some((place, unit)) = found.and_then(|place| Some((place, units.get_mut(place)?))) {
                 unit.items.push((member, item));
                 next = place;
                 continue;
