@@ -147,7 +147,7 @@ fn remapped(
     let path = format!("mapping.{key}");
     let named = pdos::named(pdos, key);
     if named.is_empty() {
-        context.no_pdo(key, origin.value(&path), "not described");
+        context.no_pdo(key, origin.key(&path), "not described");
     }
     let remapped = named.into_iter().map(|pdo| {
         let entries = mapped::mapped(context, entries, origin, &path, pdo.axis, objects);

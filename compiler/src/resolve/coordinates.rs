@@ -38,7 +38,7 @@ fn per_axis(context: &mut Context<'_>, letter: &str, raw: &RawGroup, origin: &Or
             (None, _) => {
                 let known: Vec<String> = context.axes.iter().map(|axis| axis.name.clone()).collect();
                 let expected = format!("an axis of {}", keys::some(&known));
-                context.invalid(name, &expected, origin.value(&path));
+                context.invalid(name, &expected, origin.key(&path));
             }
             _ => {}
         }

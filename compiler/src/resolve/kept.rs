@@ -125,7 +125,7 @@ fn mode_managers(context: &mut Context<'_>, device: &Device) {
         device.sync_modes.iter().flat_map(|mode| mode.managers.iter().map(move |it| (mode, it)))
     {
         let place = format!("managers.{}", named.id);
-        if !context.bind(&named.id, &known, "sync manager", mode.origin.value(&place)) {
+        if !context.bind_key(&named.id, &known, "sync manager", mode.origin.key(&place)) {
             continue;
         }
         let carries = |pdo: &Pdo| {
@@ -134,8 +134,16 @@ fn mode_managers(context: &mut Context<'_>, device: &Device) {
         };
         for (i, ModePdo { pdo, .. }) in named.pdos.iter().enumerate() {
             if !device.pdo(*pdo).is_some_and(carries) {
-                let at = mode.origin.value(&format!("{place}.pdos.{i}"));
-                context.no_pdo(&pdo.to_string(), at, "not one that the sync manager carries");
+                let at = mode.origin.value(&format!("{place}.pdos.{i}.pdo"));
+                match device.pdo(*pdo) {
+                    None => context.no_pdo(&pdo.to_string(), at, "not described"),
+                    Some(other) => {
+                        let message = format!("`{}` does not carry {pdo}", named.id);
+                        let label = "of the other direction";
+                        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, label);
+                        context.diagnostics.push(fault.label(other.origin.header(), "this PDO"));
+                    }
+                }
             }
         }
     }

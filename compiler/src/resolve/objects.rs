@@ -64,7 +64,7 @@ fn differing<'e>(
     let mut differing: Vec<(RangeInclusive<usize>, &RawObject)> = Vec::new();
     let mut places: Vec<Location> = Vec::new();
     for (axes, on_them) in &entity.per_axis {
-        let at = entity.origin.value(&format!("per-axis.{axes}"));
+        let at = entity.origin.key(&format!("per-axis.{axes}"));
         let Some(range) = keys::names(axes, &known) else {
             context.invalid(axes, &format!("an axis or a range of axes of {}", keys::some(&known)), at);
             continue;

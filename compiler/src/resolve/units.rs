@@ -38,7 +38,7 @@ fn axes(context: &mut Context<'_>, raw: &RawUnit) -> Vec<AxisUnit> {
     for (key, differing) in &raw.per_axis {
         let Some(range) = keys::names(key, &names) else {
             let expected = format!("an axis or a range of axes of {}", keys::some(&names));
-            context.invalid(key, &expected, raw.origin.value("per-axis"));
+            context.invalid(key, &expected, raw.origin.key(&format!("per-axis.{key}")));
             continue;
         };
         for axis in axes.get_mut(range).into_iter().flatten() {

@@ -54,6 +54,11 @@ impl Origin {
         self.node(path).map_or(self.header, |node| node.at)
     }
 
+    /// Where the last key of `path` stands, as that of what is set under a name; the header if nothing is.
+    pub fn key(&self, path: &str) -> Location {
+        self.member(path).map_or(self.header, |member| member.key.at)
+    }
+
     /// About how many bytes all that is said of the entity is.
     pub(crate) fn weight(&self) -> usize {
         self.table.members.weight()
@@ -116,16 +121,20 @@ impl Default for Origin {
 
 /// The keys of a path; the dots of a range such as `0..=3` are part of its key.
 pub(crate) fn parts(path: &str) -> impl Iterator<Item = &str> {
-    let bytes = path.as_bytes();
-    let is_dot = |place: Option<usize>| place.and_then(|place| bytes.get(place)) == Some(&b'.');
-    let ends = path.match_indices('.').map(|(place, _)| place);
-    let ends = ends.filter(move |place| !is_dot(place.checked_sub(1)) && !is_dot(place.checked_add(1)));
-    let mut start = 0;
-    ends.chain([path.len()]).filter_map(move |end| {
-        let part = path.get(start..end);
-        start = end + 1;
-        part
+    let mut rest = Some(path);
+    std::iter::from_fn(move || {
+        let path = rest.take()?;
+        let Some(end) = single_dot(path.as_bytes()) else { return Some(path) };
+        rest = path.get(end + 1..);
+        path.get(..end)
     })
+}
+
+/// The place of the first dot with no other beside it.
+fn single_dot(bytes: &[u8]) -> Option<usize> {
+    let is_dot = |place: Option<usize>| place.and_then(|place| bytes.get(place)) == Some(&b'.');
+    let is_single = |place: usize| !is_dot(place.checked_sub(1)) && !is_dot(place.checked_add(1));
+    bytes.iter().enumerate().find(|(place, byte)| **byte == b'.' && is_single(*place)).map(|(place, _)| place)
 }
 
 /// The place alone: the table is what the entity itself says.
