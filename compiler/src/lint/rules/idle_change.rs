@@ -35,7 +35,7 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for transition in &device.transitions {
-        if transition.from.iter().any(|from| *from == transition.to) {
+        if transition.from.contains(&transition.to) {
             let message = format!("transition {} goes from `{}` to itself", transition.number, transition.to);
             let places = ["to", "from"].map(|key| transition.origin.value(key));
             report.push(Section::Transitions.at(transition.number), finding(message, places));
