@@ -1,7 +1,7 @@
 //! What rules ask of a device again and again.
 
 use crate::model::{
-    Address, Configuration, Device, Entry, Index, Mapped, Object, Pdo, Place, Section, Value,
+    Address, Configuration, Device, Entry, Index, Kind, Mapped, Object, Pdo, Place, Section, Value,
 };
 
 /// The objects that a description or a profile states; those that devc makes follow from what is judged
@@ -70,6 +70,13 @@ pub(super) fn beyond<'v>(
 ) -> Option<(&'v Value, &'static str, &'static str)> {
     let low = min.filter(|min| above(min, value)).map(|min| (min, "below", min_key));
     low.or_else(|| max.filter(|max| above(value, max)).map(|max| (max, "above", max_key)))
+}
+
+/// The first value of an array and the first of another type: with the two, it is a record.
+pub(super) fn of_two_types(object: &Object) -> Option<(&Entry, &Entry)> {
+    let mut values = object.entries.iter().filter(|entry| entry.address.subindex > 0);
+    let first = values.next().filter(|_| object.kind == Kind::Array)?;
+    Some((first, values.find(|entry| entry.data_type != first.data_type)?))
 }
 
 /// The first and the last value of an entry if it says what each of its values means: two and more without gaps, and they

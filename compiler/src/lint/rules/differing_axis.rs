@@ -76,7 +76,9 @@ fn departs(report: &Report, origin: &Origin, key: &str) -> bool {
 fn difference<'d>(first: &'d Object, object: &'d Object) -> Option<Difference<'d>> {
     let whole = |object: &'d Object| Side { name: object.index.into(), origin: &object.origin };
     let objects = |key, what| Some(Difference { sides: [whole(first), whole(object)], key, what });
-    if first.kind != object.kind {
+    // an array that can be none is another fault
+    let is_possible = [first, object].into_iter().all(|object| lookup::of_two_types(object).is_none());
+    if first.kind != object.kind && is_possible {
         return objects("kind", "is of another kind");
     }
     if first.name != object.name {

@@ -25,6 +25,7 @@ mod contradicted_default;
 mod contradicted_edge;
 mod contradicted_group;
 mod contradicted_identity;
+mod contradicted_kind;
 mod contradicted_modes;
 mod contradicted_notation;
 pub(crate) mod contradicted_period;
@@ -196,7 +197,7 @@ lints! {
     clashing_identifier, code_in_range, commanded_automatic_transition, contradicted_activation,
     contradicted_assignment, contradicted_change, contradicted_config_data, contradicted_control,
     contradicted_count, contradicted_default, contradicted_edge, contradicted_group, contradicted_identity,
-    contradicted_modes, contradicted_notation, contradicted_period,
+    contradicted_kind, contradicted_modes, contradicted_notation, contradicted_period,
     contradicted_placeholder, contradicted_profile, contradicted_quantity, contradicted_role,
     contradicted_size, contradicted_slots, contradicted_sync_types, contradicted_total, contradicted_width,
     deviating_access, deviating_kind, deviating_mapping, deviating_pattern, deviating_transition,
