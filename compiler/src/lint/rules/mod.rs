@@ -135,6 +135,7 @@ mod stray_profile_object;
 mod subindex_gap;
 pub(crate) mod surplus_sync_manager;
 pub(crate) mod unaligned_value;
+mod unassignable_pdo;
 mod unassigned_mapping;
 pub(crate) mod uncontrolled_axis;
 pub(crate) mod uncopied_value;
@@ -217,13 +218,5 @@ lints! {
     repeated_alias, repeated_assignment, repeated_change, repeated_default, repeated_error, repeated_item,
     repeated_limit, repeated_mailbox, repeated_mapping, repeated_write, replaced_revision, reserved_index,
     several_edges, shared_number, stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value,
-    unassigned_mapping, uncontrolled_axis, uncopied_value, undefined_default, undefined_write,
-    undersized_eeprom, undersized_sync_manager, understated_axes, uneven_slots, unexpected_mode_bit,
-    unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_document,
-    unlisted_vendor_code, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum,
-    unnumbered_group, unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default,
-    unreachable_transition, unreachable_value, unrepresentable_cycle_time, unrepresentable_value,
-    unrestorable_value, unscalable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text,
-    unspoken_ability, unsupported_configuration_mode, unsupported_cycle_mode, unsupported_cycle_time,
-    unsupported_pdo_mode, unsupported_transition, unwritable_output, widthless_entry, withheld_bit,
+    unassignable_pdo, unassigned_mapping, uncontrolled_axis, uncopied_value, undefined_default, undefined_write, undersized_eeprom, undersized_sync_manager, understated_axes, uneven_slots, unexpected_mode_bit, unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_document, unlisted_vendor_code, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group, unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition, unreachable_value, unrepresentable_cycle_time, unrepresentable_value, unrestorable_value, unscalable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text, unspoken_ability, unsupported_configuration_mode, unsupported_cycle_mode, unsupported_cycle_time, unsupported_pdo_mode, unsupported_transition, unwritable_output, widthless_entry, withheld_bit,
 }
