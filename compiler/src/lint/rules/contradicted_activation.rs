@@ -4,8 +4,8 @@ use crate::model::{Device, Section, SyncMode};
 
 rule! {
     /// `assign-activate` is what a master writes to the registers 0x980 and 0x981 (ETG.1000.4): bit 8 starts the unit that
-    /// makes the signals, bit 9 lets it make SYNC0, bit 10 SYNC1. Signals are described where they are made, and made
-    /// where they are described.
+    /// makes the signals, bit 9 lets it make SYNC0, bit 10 SYNC1, which comes so long after a pulse of SYNC0. Signals are
+    /// described where they are made, and made where they are described.
     ///
     /// ## Fires
     /// ```toml
@@ -62,6 +62,11 @@ fn faults(mode: &SyncMode) -> Vec<(Option<&'static str>, &'static str)> {
         (!set(9) && mode.sync0.is_some(), Some("sync0"), "SYNC0 is described, but bit 9 does not make it"),
         (set(10) && mode.sync1.is_none(), None, "bit 10 makes SYNC1, which is not described"),
         (!set(10) && mode.sync1.is_some(), Some("sync1"), "SYNC1 is described, but bit 10 does not make it"),
+        (
+            set(10) && !set(9) && mode.sync1.is_some() && mode.sync0.is_none(),
+            Some("sync1"),
+            "SYNC1 follows the pulses of SYNC0, which bit 9 does not make",
+        ),
         (made && !set(8), None, "signals are made, but bit 8 does not start the unit that makes them"),
         (set(8) && !made, None, "bit 8 starts a unit that makes no signal"),
     ];
