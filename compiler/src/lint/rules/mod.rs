@@ -103,6 +103,7 @@ mod overlapping_values;
 pub(crate) mod overlong_mode_code;
 pub(crate) mod overlong_name;
 pub(crate) mod overlong_pin;
+mod overlong_shift;
 pub(crate) mod overlong_value;
 mod overruled_statement;
 mod oversized_pdo;
@@ -212,11 +213,5 @@ lints! {
     missing_transition, misspelt_name, misspelt_symbol, mixed_vendors, odd_count_type, one_sided_exclusion,
     opposed_switch, overfull_assignment, overlapping_areas, overlapping_bits, overlapping_bytes,
     overlapping_groups, overlapping_registers, overlapping_states, overlapping_sync_managers,
-    overlapping_values, overlong_mode_code, overlong_name, overlong_pin, overlong_value, overruled_statement,
-    oversized_pdo, oversized_write, overstrict_pattern, overwide_entry, patternless_state, pinless_value,
-    placeholder_identity, pointless_exclusion, portless_current, refused_choice, refused_step, renamed_entry,
-    repeated_alias, repeated_assignment, repeated_change, repeated_default, repeated_error, repeated_item,
-    repeated_limit, repeated_mailbox, repeated_mapping, repeated_write, replaced_revision, reserved_index,
-    several_edges, shared_number, stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value,
-    unassignable_pdo, unassigned_mapping, uncontrolled_axis, uncopied_value, undefined_default, undefined_write, undersized_eeprom, undersized_sync_manager, understated_axes, uneven_slots, unexpected_mode_bit, unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_document, unlisted_vendor_code, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group, unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition, unreachable_value, unrepresentable_cycle_time, unrepresentable_value, unrestorable_value, unscalable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text, unspoken_ability, unsupported_configuration_mode, unsupported_cycle_mode, unsupported_cycle_time, unsupported_pdo_mode, unsupported_transition, unwritable_output, widthless_entry, withheld_bit,
+    overlapping_values, overlong_mode_code, overlong_name, overlong_pin, overlong_shift, overlong_value, overruled_statement, oversized_pdo, oversized_write, overstrict_pattern, overwide_entry, patternless_state, pinless_value, placeholder_identity, pointless_exclusion, portless_current, refused_choice, refused_step, renamed_entry, repeated_alias, repeated_assignment, repeated_change, repeated_default, repeated_error, repeated_item, repeated_limit, repeated_mailbox, repeated_mapping, repeated_write, replaced_revision, reserved_index, several_edges, shared_number, stray_profile_object, subindex_gap, surplus_sync_manager, unaligned_value, unassignable_pdo, unassigned_mapping, uncontrolled_axis, uncopied_value, undefined_default, undefined_write, undersized_eeprom, undersized_sync_manager, understated_axes, uneven_slots, unexpected_mode_bit, unfit_image, unknown_homing_method, unknown_rule, unlike_slots, unlistable_mode, unlisted_document, unlisted_vendor_code, unmappable_entry, unmapped_mode, unmapped_set_value, unmended_erratum, unnumbered_group, unplaced_object, unreachable_area, unreachable_cycle_time, unreachable_default, unreachable_transition, unreachable_value, unrepresentable_cycle_time, unrepresentable_value, unrestorable_value, unscalable_value, unscaled_axis, unsized_string, unslotted_axis, unsourced_fact, unspellable_text, unspoken_ability, unsupported_configuration_mode, unsupported_cycle_mode, unsupported_cycle_time, unsupported_pdo_mode, unsupported_transition, unwritable_output, widthless_entry, withheld_bit,
 }
