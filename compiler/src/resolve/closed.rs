@@ -109,6 +109,11 @@ fn cycles(context: &mut Context<'_>, raw: &RawDevice) {
     }
     let configurations = raw.configurations.iter();
     times.extend(configurations.filter_map(|it| Some((it.cycle_time?, it.origin.value("cycle-time")))));
+    for mode in &raw.sync_modes {
+        let signals = [("sync0", mode.sync0), ("sync1", mode.sync1)];
+        let periods = signals.into_iter().filter_map(|(key, signal)| Some((key, signal?.period?)));
+        times.extend(periods.map(|(key, period)| (period, mode.origin.value(&format!("{key}.period")))));
+    }
     for (_, at) in times.into_iter().filter(|(time, _)| time.0 == 0) {
         let message = "a cycle cannot take no time".to_owned();
         context.fault(&faults::INVALID_VALUE, message, at, "expected more than 0");
