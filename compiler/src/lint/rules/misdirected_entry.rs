@@ -2,13 +2,14 @@ use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Direction, Entry, Mappable};
+use crate::model::{Device, Direction, Entry, Mappable, Safety};
 use crate::source::Layer;
 
 rule! {
     /// What a master sends has to be writable and mappable as an output; what a device sends has to be readable
-    /// and mappable as an input. Against its direction a value never arrives. What can be mapped so by the dictionary, though
-    /// nothing maps it, is offered by configuration tools.
+    /// and mappable as an input. Against its direction a value never arrives. So it is with safe
+    /// inputs and outputs, which are named from the side of the master. What can be mapped so by the dictionary, though nothing
+    /// maps it, is offered by configuration tools.
     ///
     /// ## Fires
     /// ```toml
@@ -77,6 +78,12 @@ fn fault(direction: Direction, entry: &Entry) -> Option<(&'static str, &'static 
         _ if entry.pdo == Mappable::None => None,
         Direction::Rx if !entry.pdo.rx() => Some(("pdo", "for inputs only")),
         Direction::Tx if !entry.pdo.tx() => Some(("pdo", "for outputs only")),
+        Direction::Rx if entry.safety == Some(Safety::Inputs) && !entry.pdo.tx() => {
+            Some(("safety", "a safe input"))
+        }
+        Direction::Tx if entry.safety == Some(Safety::Outputs) && !entry.pdo.rx() => {
+            Some(("safety", "a safe output"))
+        }
         Direction::Rx if !entry.access.writable() => Some(("access", "not writable")),
         Direction::Tx if !entry.access.readable() => Some(("access", "not readable")),
         _ => None,
