@@ -12,6 +12,7 @@ mod ambiguous_value_name;
 mod ambiguous_vendor_code;
 mod blank_text;
 pub(crate) mod channelless_value;
+mod circular_trigger;
 pub(crate) mod clashing_identifier;
 mod code_in_range;
 mod commanded_automatic_transition;
@@ -196,10 +197,10 @@ macro_rules! lints {
 lints! {
     absent_mapped_entry, ambiguous_choice, ambiguous_name, ambiguous_pattern, ambiguous_pdo_name,
     ambiguous_scaling, ambiguous_value_name, ambiguous_vendor_code, blank_text, channelless_value,
-    clashing_identifier, code_in_range, commanded_automatic_transition, contradicted_activation,
-    contradicted_assignment, contradicted_change, contradicted_config_data, contradicted_control,
-    contradicted_count, contradicted_default, contradicted_edge, contradicted_group, contradicted_identity,
-    contradicted_kind, contradicted_modes, contradicted_notation, contradicted_period,
+    circular_trigger, clashing_identifier, code_in_range, commanded_automatic_transition,
+    contradicted_activation, contradicted_assignment, contradicted_change, contradicted_config_data,
+    contradicted_control, contradicted_count, contradicted_default, contradicted_edge, contradicted_group,
+    contradicted_identity, contradicted_kind, contradicted_modes, contradicted_notation, contradicted_period,
     contradicted_placeholder, contradicted_profile, contradicted_quantity, contradicted_role,
     contradicted_size, contradicted_slots, contradicted_sync_types, contradicted_total, contradicted_width,
     deviating_access, deviating_kind, deviating_mapping, deviating_pattern, deviating_transition,
