@@ -60,7 +60,7 @@ pub(super) struct Vocabulary {
 }
 
 /// What is meant by a word.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Meant {
     /// A word that is used so often.
     Word(String, usize),

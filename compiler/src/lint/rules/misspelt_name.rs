@@ -2,13 +2,13 @@ use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::lint::texts::{self, Named};
 use crate::lint::words::{Meant, Vocabulary, is_slip, words};
-use crate::model::Device;
+use crate::model::{Device, Section};
 use crate::source::{Layer, Node, Value};
 
 rule! {
     /// A name with a misprint is not found by the one who looks for it, and stands in every master's list. It shows where
     /// the profile or other names of the device have a word that is the same but for one letter, a space, or two letters in
-    /// the other order. Other endings, and the two ways to spell English, are none.
+    /// the other order. Other endings, and the two ways to spell English, are none. The classes of `severity` are such words, too.
     ///
     /// If the source has the misprint, it stays as printed, and an erratum says what holds.
     ///
@@ -42,6 +42,27 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         if let Some(diagnostic) = found {
             report.push(named.at.clone(), diagnostic);
         }
+    }
+    severities(device, report);
+}
+
+/// The vendor's classes of errors, each of which is one word for many of them.
+fn severities(device: &Device, report: &mut Report) {
+    let of_errors = device.errors.iter().map(|it| (it.place(), &it.severity, &it.origin));
+    let of_codes = device.vendor_codes.iter();
+    let of_codes = of_codes.map(|it| (Section::VendorCodes.at(it.code), &it.severity, &it.origin));
+    let all: Vec<_> = of_errors
+        .chain(of_codes)
+        .filter_map(|(at, severity, origin)| Some((at, severity.as_deref()?, origin)))
+        .collect();
+    let vocabulary = Vocabulary::of(all.iter().map(|(_, severity, _)| *severity));
+    for (at, severity, origin) in all {
+        let meant = words(severity).iter().find_map(|word| vocabulary.meant(word).cloned());
+        let Some(Meant::Word(meant, _)) = meant else { continue };
+        let message = format!("the severity of {at} is `{severity}`, where others have `{meant}`");
+        let diagnostic = Diagnostic::new(&RULE, message, origin.value("severity"), "perhaps a misprint")
+            .help("correct it; if the source has it so, say in an erratum what holds");
+        report.push(at.at("severity"), diagnostic);
     }
 }
 
