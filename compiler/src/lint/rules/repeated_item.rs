@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Place, Section};
+use crate::model::{Device, Document, Place, Section};
 use crate::source::Location;
 
 rule! {
@@ -69,12 +69,22 @@ fn tables(device: &Device, report: &mut Report) {
     }
     let actions = device.stop_options.iter().map(|it| (&*it.action, it.origin.value("action")));
     judge(&Section::StopOptions.into(), "stop-options", actions, report);
+    let documents: Vec<_> =
+        device.documents.iter().map(|it| (edition(it), it.origin.value("title"))).collect();
+    let documents = documents.iter().map(|(text, at)| (&**text, *at));
+    judge(&Section::Documents.into(), "documents", documents, report);
     let remarks: Vec<_> = device
         .remarks
         .iter()
         .map(|it| (format!("{}: {}", it.at, it.text), it.origin.value("text")))
         .collect();
     judge(&Section::Remarks.into(), "remarks", remarks.iter().map(|(text, at)| (&**text, *at)), report);
+}
+
+/// What tells a document from others: of one title there can be several editions, and parts with numbers of their own.
+fn edition(document: &Document) -> String {
+    let parts = [&document.number, &document.edition, &document.publisher].into_iter().flatten();
+    [&document.title].into_iter().chain(parts).map(|part| part.as_str()).collect::<Vec<_>>().join(", ")
 }
 
 fn judge<'d>(at: &Place, list: &str, names: impl Iterator<Item = (&'d str, Location)>, report: &mut Report) {
