@@ -63,6 +63,17 @@ model! {
 }
 
 impl Configuration {
+    /// Whether anything is not as it is without it.
+    pub fn chooses_anything(&self) -> bool {
+        let Self { outputs, inputs, mapping, mode, cycle_time, writes, .. } = self;
+        outputs.is_some()
+            || inputs.is_some()
+            || !mapping.is_empty()
+            || mode.is_some()
+            || cycle_time.is_some()
+            || !writes.is_empty()
+    }
+
     /// The PDOs to assign of a direction; untouched if none.
     pub fn assigned(&self, direction: Direction) -> Option<&[Index]> {
         match direction {

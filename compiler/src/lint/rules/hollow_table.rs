@@ -5,7 +5,8 @@ use crate::source::Location;
 
 rule! {
     /// Some tables are there for one list: a telegram for its bytes, a procedure for its steps, a limit of cycle times for the
-    /// times. Without it they stand in the outputs with a name and nothing below it.
+    /// times, a configuration for what it chooses. Without it they stand in the outputs with a name and nothing below it. Only the
+    /// configuration that is the default can leave all as it is.
     ///
     /// ## Fires
     /// ```toml
@@ -44,5 +45,8 @@ fn hollow(device: &Device) -> impl Iterator<Item = (Place, Location, &'static st
     let enumerations = device.enumerations.iter().filter(|it| it.values.is_empty());
     let enumerations =
         enumerations.map(|it| (Section::Enumerations.at(&it.id), it.origin.header(), "no values"));
-    telegrams.chain(procedures).chain(times).chain(enumerations)
+    let choices =
+        device.configurations.iter().filter(|it| !it.chooses_anything() && !it.default && it.about.is_none());
+    let choices = choices.map(|it| (Section::Configurations.at(&it.id), it.origin.header(), "no choice"));
+    telegrams.chain(procedures).chain(choices).chain(times).chain(enumerations)
 }
