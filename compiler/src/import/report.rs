@@ -123,11 +123,13 @@ impl Report {
         }
         let kept = self.facts - self.lost();
         let mut text = format!("{file}: {kept} of {} facts kept\n", self.facts);
-        for ((kind, what, why), (times, _, first)) in alike {
+        for ((kind, what, why), (times, facts, first)) in alike {
             let (line, column) = first.place;
             let times = match times {
+                1 if facts > 1 => format!(", {facts} facts"),
                 1 if first.says.is_empty() => String::new(),
                 1 => format!(", `{}`", first.says),
+                _ if facts > times => format!(", {times} times with {facts} facts"),
                 _ => format!(", {times} times"),
             };
             let said = format!("{}: {what}{times}, at {line}:{column}: {why}", kind.name());

@@ -230,6 +230,11 @@ impl WriteWindow {
     }
 }
 
+impl Entry {
+    /// What subindex 0 of several values is called, unless a description says it.
+    pub const COUNT: &str = "Highest subindex supported";
+}
+
 impl Object {
     /// The entry of this subindex.
     pub fn entry(&self, subindex: u8) -> Option<&Entry> {

@@ -66,7 +66,7 @@ fn name(raw: &RawEntries, subindex: u8) -> String {
     match &raw.value.name {
         Some(name) if many => numbered::name(name, subindex),
         Some(name) => name.clone(),
-        None if subindex == 0 => COUNT.to_owned(),
+        None if subindex == 0 => Entry::COUNT.to_owned(),
         None => format!("Subindex {subindex:03}"),
     }
 }
@@ -95,12 +95,10 @@ fn member(
     Some(entry)
 }
 
-const COUNT: &str = "Highest subindex supported";
-
 /// Subindex 0 as devc makes it.
 pub(super) fn count(index: Index, highest: u8, origin: &Origin) -> Entry {
     let address = Address { index, subindex: 0 };
-    let mut entry = plain(address, COUNT, DataType::Uint(8), origin);
+    let mut entry = plain(address, Entry::COUNT, DataType::Uint(8), origin);
     entry.default = Some(Value::Integer(highest.into()));
     entry
 }

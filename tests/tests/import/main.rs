@@ -11,6 +11,7 @@ mod facts;
 mod hostile;
 mod kinds;
 mod languages;
+mod listed;
 mod modules;
 mod objects;
 mod oddities;

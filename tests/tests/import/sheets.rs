@@ -206,6 +206,8 @@ fn what_a_sheet_says_of_can_is_lost_and_told() {
         lost,
         [
             ("[DeviceInfo] BaudRate_500", line("BaudRate_500")),
+            ("the name of subindex 0", line("[1018]")),
+            ("names in a mapping object", line("[1600]")),
             ("the default of 0x2002", line("DefaultValue=$NODEID")),
         ]
     );

@@ -64,7 +64,7 @@ fn a_type_says_the_values_that_an_object_does_not() {
              <BitOffs>16</BitOffs>{said}</SubItem>"
         )
     };
-    let count = "<SubItem><SubIdx>0</SubIdx><Name>N</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem>";
+    let count = "<SubItem><SubIdx>0</SubIdx><Name>SubIndex 000</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem>";
     let limits = "<DefaultData>3412</DefaultData><MinValue>1</MinValue><MaxValue>#x7000</MaxValue>";
     let kind = format!(
         "<DataTypes><DataType><Name>DTR</Name><BitSize>48</BitSize>{count}{}{}</DataType>",
@@ -72,7 +72,7 @@ fn a_type_says_the_values_that_an_object_does_not() {
         item(2, limits)
     );
     let object = "<Object><Index>#x2000</Index><Name>R</Name><Type>DTR</Type><BitSize>48</BitSize><Info>\
-        <SubItem><Name>N</Name></SubItem><SubItem><Name>M1</Name><Info><DefaultData>0500</DefaultData></Info></SubItem>\
+        <SubItem><Name>SubIndex 000</Name></SubItem><SubItem><Name>M1</Name><Info><DefaultData>0500</DefaultData></Info></SubItem>\
         </Info></Object>";
     let xml = file("", object, "").replacen("<DataTypes>", &kind, 1);
     let trip = trip(xml.as_bytes(), 1).expect("a round trip");

@@ -6,13 +6,10 @@ use super::super::read::{InitCmd, PdoEntry};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::chosen::{Surroundings, lose, lose_comment};
-use super::derived::word;
+use super::derived::{ASSIGNMENTS, word};
 use super::pdos::mapped;
 use super::sync_managers::{carried, carries};
 use crate::model::Role;
-
-/// The first assignment object.
-const ASSIGNMENTS: u16 = 0x1C10;
 
 /// `outputs`, `inputs` and `mapping`, as far as the commands write something else than what masters write by themselves, as
 /// the PDOs say.
@@ -138,8 +135,7 @@ fn mapping(
     report: &mut Report,
 ) -> Result<Option<(String, Toml)>, &'static str> {
     let basis = surroundings.basis;
-    let pdo = basis.rx.iter().chain(basis.tx).find(|pdo| pdo.index == index);
-    let pdo = pdo.ok_or("it maps a PDO that is not there")?;
+    let pdo = basis.pdo(index).ok_or("it maps a PDO that is not there")?;
     if pdo.entries.iter().map(word).eq(list.iter().copied()) {
         return Ok(None);
     }

@@ -22,6 +22,13 @@ pub(super) struct Basis<'b> {
     pub(super) maps: bool,
 }
 
+impl<'b> Basis<'b> {
+    /// The PDO of an index.
+    pub(super) fn pdo(&self, index: u16) -> Option<&'b Pdo> {
+        self.rx.iter().chain(self.tx).copied().find(|pdo| pdo.index == index)
+    }
+}
+
 /// What devc makes of an object.
 struct Made<'b> {
     access: Access,
@@ -74,7 +81,7 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
     let is_said = is_mentioned || is_other || !keys.is_empty() || !besides.is_empty();
     let access = access(object, made.access, is_said, report);
     // What is mentioned takes the category that its profile says.
-    let is_of_profile = object.index >= 0x1C00 && (is_said || !access.is_empty());
+    let is_of_profile = object.index >= TYPES && (is_said || !access.is_empty());
     if let Some(category) = category.filter(|_| is_other || is_of_profile) {
         set(&mut keys, "category", Toml::text(words::category(category)));
     }
@@ -84,8 +91,11 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
         .then(|| Block::new("objects", Some(format!("0x{:04X}", object.index)), keys))
 }
 
+/// The object that says what each sync manager is for.
+pub(super) const TYPES: u16 = 0x1C00;
+
 /// The first assignment object, that of sync manager 0.
-const ASSIGNMENTS: u16 = 0x1C10;
+pub(super) const ASSIGNMENTS: u16 = 0x1C10;
 
 /// The name of an assignment object.
 fn assignment(index: u16) -> String {
@@ -95,7 +105,7 @@ fn assignment(index: u16) -> String {
 fn made<'b>(index: u16, basis: &Basis<'b>) -> Option<Made<'b>> {
     let access = |free| if free { Access::Rw } else { Access::Ro };
     match index {
-        0x1C00 => (!basis.managers.is_empty()).then(|| Made {
+        TYPES => (!basis.managers.is_empty()).then(|| Made {
             access: Access::Ro,
             name: Cow::Borrowed("Sync manager communication type"),
             values: Vec::new(),
@@ -112,7 +122,7 @@ fn made<'b>(index: u16, basis: &Basis<'b>) -> Option<Made<'b>> {
             })
         }
         index => {
-            let pdo = basis.rx.iter().chain(basis.tx).find(|pdo| pdo.index == index)?;
+            let pdo = basis.pdo(index)?;
             Some(Made {
                 access: access(!pdo.fixed && basis.maps),
                 name: Cow::Borrowed(pdo.name.as_deref().unwrap_or_default()),
@@ -145,7 +155,7 @@ fn category(object: &Object, entries: &[&Value], report: &mut Report) -> Option<
 /// Reports defaults that are not what the PDOs say, and widths that no such object has.
 fn contradictions(object: &Object, made: &Made<'_>, report: &mut Report) {
     let bits = match object.index {
-        0x1C00 => 8,
+        TYPES => 8,
         ASSIGNMENTS.. => 16,
         _ => 32,
     };
@@ -154,7 +164,7 @@ fn contradictions(object: &Object, made: &Made<'_>, report: &mut Report) {
         let what = format!("the width of 0x{:04X}:{:02X}", object.index, entry.subindex);
         report.lose(entry.at, 1, what, format!("what lists PDOs or what is mapped has {bits} bits"));
     }
-    if object.index < 0x1C00 || object.index >= ASSIGNMENTS {
+    if object.index != TYPES {
         let count = object.values.iter().filter(|value| value.subindex == 0);
         let used = u64::try_from(made.values.len()).unwrap_or(u64::MAX);
         let values = made.values.iter().copied().chain(std::iter::repeat(0));
@@ -187,7 +197,7 @@ fn access(object: &Object, made: Access, is_said: bool, report: &mut Report) -> 
     let mut keys = Keys::new();
     let window = window(object, report);
     // What is mentioned takes the access that its profile says.
-    let is_profile = object.index >= 0x1C00;
+    let is_profile = object.index >= TYPES;
     let has_own_count = count.is_some_and(|count| count != all);
     if all != made || is_profile && (is_said || has_own_count || window.is_some()) {
         set(&mut keys, "access", Toml::text(words::access(all)));

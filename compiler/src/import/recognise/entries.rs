@@ -6,6 +6,7 @@ use super::described::{Described, difference, is_usual};
 use super::profile::Base;
 use super::value::Said;
 use super::words;
+use crate::model::Entry;
 
 /// The keys that an object can say for all its entries.
 const SHARED: [&str; 11] =
@@ -192,6 +193,14 @@ fn count(object: &Described, report: &mut Report) -> Option<(String, Toml)> {
         if let Some(value) = get(&count.keys, name).filter(|value| Some(*value) != usual.as_ref()) {
             set(&mut keys, name, value.clone());
         }
+    }
+    match count.name.as_deref().filter(|name| *name != Entry::COUNT) {
+        Some(name) if words::says_count(name) => {
+            let why = format!("it is a number of entries in other words; `{}` is taken", Entry::COUNT);
+            report.lose(object.at, 1, "the name of subindex 0", why);
+        }
+        Some(name) => keys.insert(0, ("name".to_owned(), Toml::text(name))),
+        None => {}
     }
     if count.data_type.bits() != 8 {
         let what = format!("the type of 0x{:04X}:00", object.index);

@@ -14,6 +14,7 @@ mod draft;
 mod entries;
 mod family;
 mod head;
+mod listed;
 mod literal;
 mod mailbox;
 mod modes;
@@ -191,6 +192,7 @@ fn process_data(
     let slots = |number: u8| derived::room(made, 0x1C10 + u16::from(number));
     let managers = sync_managers::blocks(basis.managers, [rx, tx], &followers, slots, report);
     sync_managers::fmmus(&device.fmmus, basis.managers, [rx, tx], report);
+    made.iter().for_each(|object| listed::told(object, basis, references, report));
     draft.objects.extend(made.iter().filter_map(|object| derived::block(object, basis, report)));
     draft.device.extend(mailbox::mailbox(device, report));
     draft.device.extend(mailbox::timeouts(&device.timeouts, report));

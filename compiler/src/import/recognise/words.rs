@@ -141,3 +141,12 @@ pub(super) fn says_nothing(name: &str) -> bool {
         || lower == "elements"
         || rest.is_some_and(|rest| rest.trim().bytes().all(|byte| byte.is_ascii_digit()))
 }
+
+/// Whether a name says that it is the number of the others, as that of subindex 0 does: `Number of entries`.
+pub(super) fn says_count(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let counts = ["number", "no of", "no. of", "num", "max", "highest", "largest", "last", "count"];
+    let counted = ["sub", "entr", "element", "object", "pdo", "item", "error"];
+    let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+    lower == "entries" || has(&counts) && has(&counted)
+}
