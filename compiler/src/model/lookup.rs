@@ -7,6 +7,11 @@ use super::{
 use crate::source::Value;
 
 impl Device {
+    /// The group that an ESI offers the devices of a vendor in, unless a description says it.
+    pub fn usual_group(vendor: &str) -> String {
+        format!("{vendor} drives")
+    }
+
     /// The object of this index.
     pub fn object(&self, index: Index) -> Option<&Object> {
         let place = self.objects.binary_search_by_key(&index, |object| object.index).ok()?;

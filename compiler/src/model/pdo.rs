@@ -116,6 +116,9 @@ impl Direction {
 }
 
 impl Mapped {
+    /// What is left free is called so, unless a description gives it a name.
+    pub const PADDING: &str = "Padding";
+
     /// The type that masters are told: the PDO's own, else that of the object.
     pub fn told_type(&self) -> Option<DataType> {
         self.own_type.or(self.data_type)

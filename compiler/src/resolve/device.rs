@@ -53,7 +53,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     #[rustfmt::skip] // a line for what belongs together
     let device = Device {
         id,
-        group: group.unwrap_or_else(|| format!("{vendor} drives")),
+        group: group.unwrap_or_else(|| Device::usual_group(&vendor)),
         type_name: type_name.unwrap_or_else(|| name.replace(' ', "-")),
         physics: physics.unwrap_or_else(|| "YY".to_owned()),
         image: image.zip(image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),

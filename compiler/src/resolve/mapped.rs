@@ -77,7 +77,7 @@ fn one(
     let at = origin.header();
     let padding = Mapped {
         address: None,
-        name: raw.name.clone().unwrap_or_else(|| "Padding".to_owned()),
+        name: raw.name.clone().unwrap_or_else(|| Mapped::PADDING.to_owned()),
         names: raw.names.clone(),
         id: "padding".to_owned(),
         offset: 0,

@@ -164,6 +164,7 @@ fn two_drives() -> String {
     let end = DRIVE.find("</Devices>").expect("their end");
     let other = DRIVE[start..end]
         .replace("#x00004711", "#x00004712")
+        .replace("11470000", "12470000")
         .replace("XD-100", "XD-200")
         .replace("<MaxValue>#x3E8</MaxValue>", "<MaxValue>2000</MaxValue>");
     format!("{}{other}{}", &DRIVE[..end], &DRIVE[end..])

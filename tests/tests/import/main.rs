@@ -8,6 +8,7 @@
 
 mod corpus;
 mod facts;
+mod fixed_point;
 mod hostile;
 mod kinds;
 mod languages;

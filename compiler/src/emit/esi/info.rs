@@ -1,5 +1,6 @@
 //! `Info`: the current from the E-bus, how long a master waits, and how it finds the number that people set.
 
+use super::choices::choices;
 use super::element::Element;
 use super::literal::Hex;
 use crate::model::{Device, Duration, Timeouts};
@@ -13,6 +14,7 @@ pub(super) fn info(device: &Device) -> Option<Element> {
         .child(current.map(|current| Element::new("Electrical").child(current)))
         .child(states.map(|timeout| Element::new("StateMachine").child(timeout)))
         .child(mailbox.map(|timeout| Element::new("Mailbox").child(timeout)))
+        .child(choices(device))
         .child(device.identity.id_address.map(|address| Element::leaf("IdentificationAdo", Hex(address))))
         .child(device.identity.requested_id.then(|| Element::leaf("IdentificationReg134", "true")))
         .unless_empty()

@@ -3,6 +3,7 @@
 //! It follows ETG.2000 in the order of elements of schema 1.14, which newer schemas take as well. Each file
 //! here makes one part of the document as a tree of `Element`s; `element` alone knows how XML is written.
 
+mod choices;
 mod comment;
 mod composite;
 mod dc;

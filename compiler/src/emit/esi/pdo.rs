@@ -57,7 +57,7 @@ fn excludes(device: &Device, pdo: &Pdo) -> Vec<Index> {
 }
 
 fn entry(frame: Frame<'_>, pdo: &Pdo, mapped: &Mapped) -> Element {
-    let Some(address) = mapped.address else { return padding(mapped.bits) };
+    let Some(address) = mapped.address else { return padding(mapped) };
     // The type of another width than the one mapped would move all that follows in tools that go by types.
     let data_type = mapped.told_type().filter(|data_type| data_type.bits() == mapped.bits);
     let data_type = data_type.map_or_else(|| primitive::of_width(mapped.bits), primitive::name);
@@ -70,6 +70,13 @@ fn entry(frame: Frame<'_>, pdo: &Pdo, mapped: &Mapped) -> Element {
         .child(Element::leaf("DataType", data_type))
 }
 
-fn padding(bits: u32) -> Element {
-    Element::new("Entry").child(Element::leaf("Index", "#x0")).child(Element::leaf("BitLen", bits))
+/// What is left free. A name is there only if the description gives it one: by names such as `Status__`, tools that make
+/// structures of a PDO put it into one of these.
+fn padding(mapped: &Mapped) -> Element {
+    let names =
+        (mapped.name != Mapped::PADDING).then(|| Element::in_languages("Name", &mapped.name, &mapped.names));
+    Element::new("Entry")
+        .child(Element::leaf("Index", "#x0"))
+        .child(Element::leaf("BitLen", mapped.bits))
+        .children(names.into_iter().flatten())
 }

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::element::{At, Element};
 use super::esi::{Choice, Datum, Flags, Object, Property, Shape, Value, Written};
 use super::number::{bytes, number, truth};
-use super::words;
+use super::{meanings, words};
 use crate::model::{Safety, SdoAccess, UnitCode};
 
 /// A type as it is declared.
@@ -41,7 +41,8 @@ pub(super) fn objects(dictionary: &Element<'_>) -> (Vec<Object>, Option<At>) {
     }
     let (mut objects, mut values) = (Vec::new(), 0_usize);
     for element in dictionary.all("Objects").flat_map(|objects| objects.all("Object")) {
-        let Some(object) = object(element, &types) else { continue };
+        let Some(mut object) = object(element, &types) else { continue };
+        meanings::take_out(&mut object);
         let weights = object.values.iter().map(|value| 1 + value.choices.len());
         values = values.saturating_add(weights.sum());
         if values > MOST_VALUES {

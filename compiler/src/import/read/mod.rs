@@ -10,6 +10,7 @@ mod eds;
 mod element;
 mod encoding;
 mod esi;
+mod meanings;
 mod modules;
 mod number;
 mod objects;

@@ -4,8 +4,9 @@ use std::borrow::Cow;
 
 use super::super::read::{Object, Pdo, PdoEntry, Value, Written, number};
 use super::super::report::Report;
-use super::super::toml::{Keys, Toml, set};
+use super::super::toml::{Keys, Toml, get, set, set_some};
 use super::draft::Block;
+use super::profile::{Base, Known};
 use super::sync_managers::{self, Manager};
 use super::types::data_type;
 use super::words;
@@ -58,7 +59,7 @@ pub(super) fn follows(object: &Object, basis: &Basis<'_>) -> bool {
 }
 
 /// What is to be said of a derived object, if it is not as devc makes it.
-pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> Option<Block> {
+pub(super) fn block(object: &Object, basis: &Basis<'_>, known: &Known, report: &mut Report) -> Option<Block> {
     // The assignment of a sync manager without PDOs is there only if it is mentioned.
     let made = made(object.index, basis);
     let is_mentioned = made.is_none();
@@ -77,18 +78,27 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
     contradictions(object, &made, report);
     let all = entries.first().map(|entry| entry.flags.access.as_deref().and_then(words::access_of));
     let besides = besides(object, &entries, all.flatten(), report);
-    let is_other = category.is_some_and(|category| category != Category::Mandatory);
-    let is_said = is_mentioned || is_other || !keys.is_empty() || !besides.is_empty();
-    let access = access(object, made.access, is_said, report);
-    // What is mentioned takes the category that its profile says.
-    let is_of_profile = object.index >= TYPES && (is_said || !access.is_empty());
-    if let Some(category) = category.filter(|_| is_other || is_of_profile) {
-        set(&mut keys, "category", Toml::text(words::category(category)));
-    }
-    keys.extend(access);
+    let access = access(object).unwrap_or(made.access);
+    let window = window(object, report);
+    let made_window =
+        |access: Access| Some(WriteWindow::PreOp).filter(|_| made.access.writable() && access.writable());
+    let is_said = is_mentioned
+        || !keys.is_empty()
+        || !besides.is_empty()
+        || access != made.access
+        || window.is_some() && window != made_window(made.access)
+        || category.is_some_and(|category| category != Category::Mandatory);
+    // What is mentioned takes what its profile says.
+    let base = known.object(object.index).map(Base::value).unwrap_or_default();
+    let mut say = |name: &str, own: Option<&'static str>, made: Option<&'static str>| {
+        let made = get(&base, name).cloned().or_else(|| made.map(Toml::text));
+        set_some(&mut keys, name, own.map(Toml::text).filter(|own| Some(own) != made.as_ref()));
+    };
+    say("category", category.map(words::category), Some(words::category(Category::Mandatory)));
+    say("access", Some(words::access(access)), Some(words::access(made.access)));
+    say("written", window.map(words::window), made_window(access).map(words::window));
     keys.extend(besides);
-    (is_mentioned || !keys.is_empty())
-        .then(|| Block::new("objects", Some(format!("0x{:04X}", object.index)), keys))
+    is_said.then(|| Block::new("objects", Some(format!("0x{:04X}", object.index)), keys))
 }
 
 /// The object that says what each sync manager is for.
@@ -188,24 +198,11 @@ fn integer(written: &Written) -> Option<u64> {
     }
 }
 
-/// Who may write it, where that is not what devc would make of it.
-fn access(object: &Object, made: Access, is_said: bool, report: &mut Report) -> Keys {
+/// Who may write what it lists.
+fn access(object: &Object) -> Option<Access> {
     let of = |value: &Value| value.flags.access.as_deref().and_then(words::access_of).unwrap_or(Access::Ro);
     let count = object.values.iter().find(|value| value.subindex == 0).map(of);
-    let entries = object.values.iter().find(|value| value.subindex > 0).map(of);
-    let all = entries.or(count).unwrap_or(made);
-    let mut keys = Keys::new();
-    let window = window(object, report);
-    // What is mentioned takes the access that its profile says.
-    let is_profile = object.index >= TYPES;
-    let has_own_count = count.is_some_and(|count| count != all);
-    if all != made || is_profile && (is_said || has_own_count || window.is_some()) {
-        set(&mut keys, "access", Toml::text(words::access(all)));
-    }
-    if let Some(window) = window {
-        set(&mut keys, "written", Toml::text(words::window(window)));
-    }
-    keys
+    object.values.iter().find(|value| value.subindex > 0).map(of).or(count)
 }
 
 /// When it can be written, if all that can be written says the same.

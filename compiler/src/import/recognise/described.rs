@@ -80,11 +80,37 @@ fn place(index: u16, subindex: u8, kind: Kind) -> String {
 
 /// The keys that say something else than what is known.
 pub(super) fn difference(said: &Keys, known: &Keys) -> Keys {
-    let differs = |(name, value): &&(String, Toml)| match get(known, name) {
-        Some(known) => known != value && !same_text(said, known, value),
-        None => !is_usual(name, value),
+    let other = |(name, value): &(String, Toml)| match (value, get(known, name)) {
+        (Toml::Table(said), Some(Toml::Table(known))) if name == "values" => {
+            let others: Keys = said.iter().filter(|said| !is_meant(said, known)).cloned().collect();
+            (!others.is_empty()).then(|| (name.clone(), Toml::Table(others)))
+        }
+        (_, Some(known)) if known == value || same_text(said, known, value) => None,
+        (_, None) if is_usual(name, value) => None,
+        _ => Some((name.clone(), value.clone())),
     };
-    said.iter().filter(differs).cloned().collect()
+    said.iter().filter_map(other).collect()
+}
+
+/// Whether a value is known to mean this. What it means in full a file need not say.
+fn is_meant((value, meaning): &(String, Toml), known: &Keys) -> bool {
+    let Some(Toml::Table(known)) = get(known, value) else { return false };
+    match meaning {
+        Toml::Table(said) => said.iter().all(|(key, text)| get(known, key) == Some(text)),
+        name => get(known, "name") == Some(name),
+    }
+}
+
+/// The values that a profile gives a meaning and a file does not, if it says what values mean.
+pub(super) fn without_meaning<'k>(said: &'k Keys, known: &'k Keys) -> impl Iterator<Item = &'k String> {
+    let said = get(said, "values").zip(get(known, "values"));
+    let keys = said.into_iter().filter_map(|pair| match pair {
+        (Toml::Table(said), Toml::Table(known)) => Some((said, known)),
+        _ => None,
+    });
+    keys.flat_map(|(said, known)| {
+        known.iter().map(|(value, _)| value).filter(move |value| get(said, value).is_none())
+    })
 }
 
 /// A text whose length follows from its default.

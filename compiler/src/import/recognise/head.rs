@@ -47,8 +47,9 @@ fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     });
     set(&mut keys, "name", Toml::text(&name));
     set_some(&mut keys, "names", in_languages(&device.names));
+    let usual = crate::model::Device::usual_group(&vendor);
     set(&mut keys, "vendor", Toml::text(vendor));
-    if let Some(group) = device.group.as_ref().filter(|group| !group.is_empty()) {
+    if let Some(group) = device.group.as_ref().filter(|group| !group.is_empty() && **group != usual) {
         set(&mut keys, "group", Toml::text(group));
     }
     if !head.type_name.is_empty() && head.type_name != name.replace(' ', "-") {

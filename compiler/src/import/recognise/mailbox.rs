@@ -8,6 +8,9 @@ use super::draft::Block;
 /// Where a device keeps its diagnosis messages: an ESI says so if the object is there.
 const DIAGNOSIS_HISTORY: u16 = 0x10F3;
 
+/// The protocols in the order that ETG.2000 demands of their elements, which says nothing.
+const PROTOCOLS: [&str; 6] = ["AoE", "EoE", "CoE", "FoE", "SoE", "VoE"];
+
 /// `[mailbox]`.
 pub(super) fn mailbox(device: &Device, report: &mut Report) -> Option<Block> {
     let mailbox = device.mailbox.as_ref()?;
@@ -20,10 +23,9 @@ pub(super) fn mailbox(device: &Device, report: &mut Report) -> Option<Block> {
         report.guess(mailbox.at, "DataLinkLayer", why);
     }
     let mut keys = Keys::new();
-    let mut protocols = mailbox.protocols.clone();
-    protocols.dedup();
-    set(&mut keys, "protocols", Toml::texts(protocols));
     let has = |protocol: &str| mailbox.protocols.iter().any(|it| it == protocol);
+    let protocols = PROTOCOLS.into_iter().filter(|protocol| has(protocol));
+    set(&mut keys, "protocols", Toml::texts(protocols));
     for (name, value) in abilities(mailbox).into_iter().filter(|_| has("CoE")) {
         if value {
             set(&mut keys, name, Toml::Bool(true));

@@ -3,6 +3,7 @@
 mod assigned;
 mod axes;
 mod axis_names;
+mod carried;
 mod channels;
 mod choices;
 mod chosen;
@@ -22,6 +23,7 @@ mod objects;
 mod pdos;
 mod profile;
 mod references;
+mod restated;
 mod slots;
 mod start_up;
 mod sync_managers;
@@ -70,8 +72,12 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let mut draft = Draft { profiles, picture: device.picture.clone(), ..Draft::default() };
     draft.device = head::blocks(esi, device, report);
     let axes = Axes::of(&described, &device.slots, [&rx, &tx]);
+    if axes.names().is_empty() {
+        carried::leave_out(&mut described, [&rx, &tx], &known);
+    }
     let references = References::of(&described, &made, &known, &axes);
     let of_axes = channels::channels(device, &described, &axes, report);
+    restated::leave_out(&mut described, esi, device, axes.names().len());
     draft.device.extend(axes.block(&described, of_axes, report));
     draft.device.extend(slots::modules(device, &axes, report));
     draft.device.extend(slots::open(device, report));
@@ -83,7 +89,7 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
         draft.objects.push(block);
         draft.without.extend(without);
     }
-    process_data(device, &made, (&references, &axes), &basis, &mut draft, report);
+    process_data(device, &made, (&references, &axes, &known), &basis, &mut draft, report);
     draft.objects.sort_by(|one, other| one.key.cmp(&other.key));
     let carriers = clocks::Carriers { managers: &managers, pdos: [&rx, &tx] };
     draft.device.extend(clocks::sync_modes(&device.op_modes, &carriers, report));
@@ -161,7 +167,7 @@ fn distinct<'d>(device: &'d Device, report: &mut Report) -> Vec<&'d Object> {
 fn process_data(
     device: &Device,
     made: &[&Object],
-    (references, axes): (&References, &Axes),
+    (references, axes, known): (&References, &Axes, &Known),
     basis: &Basis<'_>,
     draft: &mut Draft,
     report: &mut Report,
@@ -193,7 +199,7 @@ fn process_data(
     let managers = sync_managers::blocks(basis.managers, [rx, tx], &followers, slots, report);
     sync_managers::fmmus(&device.fmmus, basis.managers, [rx, tx], report);
     made.iter().for_each(|object| listed::told(object, basis, references, report));
-    draft.objects.extend(made.iter().filter_map(|object| derived::block(object, basis, report)));
+    draft.objects.extend(made.iter().filter_map(|object| derived::block(object, basis, known, report)));
     draft.device.extend(mailbox::mailbox(device, report));
     draft.device.extend(mailbox::timeouts(&device.timeouts, report));
     draft.device.extend(managers);

@@ -3,7 +3,7 @@
 use super::super::read::one_line;
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, get, set, set_some};
-use super::described::{Described, difference};
+use super::described::{Described, difference, without_meaning};
 use super::draft::Block;
 use super::entries::{shared, tables};
 use super::profile::{Base, Known};
@@ -57,6 +57,7 @@ fn var(object: &Described, base: Option<Base<'_>>, keys: &mut Keys, without: &mu
         }
         known.retain(|(name, _)| name == "category");
     }
+    without.extend(without_meaning(&value.keys, &known).map(|value| format!("values.{value}")));
     keys.extend(difference(&value.keys, &known));
 }
 
@@ -71,6 +72,11 @@ fn several(
     let described = base.map(Base::subindices).unwrap_or_default();
     let has = |subindex: &u8| object.values.iter().any(|value| value.subindex == *subindex);
     without.extend(described.iter().filter(|it| !has(it)).map(|it| format!("entries.{it}")));
+    for (base, value) in base.iter().flat_map(|base| object.values.iter().map(move |value| (base, value))) {
+        let (known, subindex) = (base.entry(value.subindex), value.subindex);
+        let missing = without_meaning(&value.keys, &known).filter(|_| described.contains(&subindex));
+        without.extend(missing.map(|value| format!("entries.{subindex}.values.{value}")));
+    }
     let members: Vec<&Said> = object.values.iter().filter(|value| value.subindex > 0).collect();
     let shared = shared(object.category.as_ref(), &members, base);
     let entries = tables(object, &members, &shared, base, &described, report);

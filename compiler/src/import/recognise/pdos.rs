@@ -7,7 +7,7 @@ use super::draft::Block;
 use super::references::References;
 use super::types::{data_type, is_stand_in};
 use super::words;
-use crate::model::Oversampling;
+use crate::model::{Direction, Oversampling};
 
 /// A direction of process data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +21,13 @@ impl Way {
         match self {
             Self::Rx => "rx-pdos",
             Self::Tx => "tx-pdos",
+        }
+    }
+
+    fn direction(self) -> Direction {
+        match self {
+            Self::Rx => Direction::Rx,
+            Self::Tx => Direction::Tx,
         }
     }
 
@@ -95,7 +102,9 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
     if !pdo.fixed {
         set(&mut keys, "fixed", Toml::Bool(false));
     }
-    if room > pdo.entries.len() || !pdo.fixed && room > 0 {
+    // A free mapping has room for all that can be mapped, if nothing is said of it.
+    let is_more = !pdo.fixed && room > 0 && references.can_map(way.direction());
+    if room > pdo.entries.len() || is_more {
         set(&mut keys, "max-entries", Toml::Integer(room.min(254) as i128));
     }
     if pdo.mandatory {
@@ -137,6 +146,8 @@ fn excludes(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> 
             excludes.push(text);
         }
     }
+    // Their order says nothing.
+    excludes.sort();
     excludes
 }
 
@@ -156,8 +167,10 @@ pub(super) fn mapped(entry: &PdoEntry, references: &References, report: &mut Rep
         let known = target.map(|target| target.data_type).filter(|it| it.bits() == u32::from(entry.bits));
         let own_type = known.map(|it| it.to_string()).or_else(|| own_type(entry, report));
         let width = own_type.map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
-        let keys = [("entry".to_owned(), Toml::text(address)), width];
-        let name = entry.name.as_ref().or(target.and_then(|target| target.name.as_ref())).map(named);
+        let keys = [("entry".to_owned(), Toml::text(address.as_str())), width];
+        // What has no name is called by its address.
+        let own = entry.name.as_ref().filter(|name| **name != address);
+        let name = own.or(target.and_then(|target| target.name.as_ref())).map(named);
         return Toml::Table(keys.into_iter().chain(name).chain(names).chain(about).collect());
     };
     let told = entry.data_type.as_deref().map(|name| data_type(name, Some(entry.bits.into())));

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::super::read::one_line;
-use super::super::toml::{Keys, Toml, set};
+use super::super::toml::{Keys, Toml, set, set_some};
 use super::words;
 use crate::diagnostic::Diagnostics;
-use crate::model::{DataType, Kind};
-use crate::raw::{self, RawEntry, RawObject};
+use crate::model::{DataType, Kind, Meaning};
+use crate::raw::{self, RawEntry, RawObject, RawValues};
 use crate::source::{Document, Memory, Sources, load};
 
 /// What profiles have.
@@ -113,10 +113,20 @@ fn keys(entry: &RawEntry) -> Keys {
     add("category", entry.category.map(|it| words::category(it).to_owned()));
     add("written", entry.written.map(|it| words::window(it).to_owned()));
     add("about", entry.about.as_deref().map(one_line));
+    if let Some(RawValues::Own(meanings)) = &entry.values {
+        let meanings = meanings.iter().map(|it| (it.value.to_string(), meaning(it)));
+        set(&mut keys, "values", Toml::Table(meanings.collect()));
+    }
     for (name, is_so) in [("backup", entry.backup), ("setting", entry.setting)] {
         if let Some(is_so) = is_so {
             set(&mut keys, name, Toml::Bool(is_so));
         }
     }
     keys
+}
+
+fn meaning(meaning: &Meaning) -> Toml {
+    let mut keys = vec![("name".to_owned(), Toml::text(&meaning.name))];
+    set_some(&mut keys, "about", meaning.about.as_deref().map(|about| Toml::text(one_line(about))));
+    Toml::Table(keys)
 }

@@ -7,11 +7,15 @@ use super::super::toml::{Toml, get};
 use super::axes::Axes;
 use super::described::Described;
 use super::profile::{Base, Known};
-use crate::model::{DataType, Kind, ids};
+use crate::model::{DataType, Direction, Kind, ids};
 
 /// What can be referred to, by index and subindex.
 #[derive(Debug, Default)]
-pub(super) struct References(BTreeMap<(u16, u8), Target>);
+pub(super) struct References {
+    targets: BTreeMap<(u16, u8), Target>,
+    /// What can be mapped: to RxPDOs, and to TxPDOs.
+    mappable: [bool; 2],
+}
 
 /// What a reference names.
 #[derive(Debug)]
@@ -55,11 +59,21 @@ impl References {
                 targets.insert((object.index, value.subindex), target);
             }
         }
-        Self(targets)
+        let goes = |way: &str| {
+            let mut values = objects.iter().flat_map(|object| &object.values);
+            values.any(|it| matches!(get(&it.keys, "pdo"), Some(Toml::Text(word)) if word.contains(way)))
+        };
+        Self { targets, mappable: ["rx", "tx"].map(goes) }
+    }
+
+    /// Whether anything in the dictionary can be mapped in a direction.
+    pub(super) fn can_map(&self, direction: Direction) -> bool {
+        let [rx, tx] = self.mappable;
+        if direction == Direction::Rx { rx } else { tx }
     }
 
     pub(super) fn get(&self, index: u16, subindex: u8) -> Option<&Target> {
-        self.0.get(&(index, subindex))
+        self.targets.get(&(index, subindex))
     }
 }
 

@@ -166,18 +166,16 @@ fn keys(
     set(&mut keys, "address", Toml::Hex(address.into(), 4));
     let image = image(carried);
     let is_own = |size: &u16| !role.is_process_data() || u32::from(*size) != image;
-    let sizes = [
-        ("size", size(manager, *role, key, report).filter(is_own)),
-        ("min-size", manager.min_size),
-        ("max-size", manager.max_size),
-    ];
+    let size = size(manager, *role, key, report);
+    let sizes =
+        [("size", size.filter(is_own)), ("min-size", manager.min_size), ("max-size", manager.max_size)];
     for (name, size) in sizes.into_iter().filter_map(|(name, size)| Some((name, size?))) {
         set(&mut keys, name, Toml::Integer(size.into()));
     }
     if let Some(control) = manager.control.filter(|control| *control != role.usual_control()) {
         set(&mut keys, "control", Toml::Hex(control.into(), 2));
     }
-    let size = manager.default_size.map_or(image, u32::from);
+    let size = size.map_or(image, u32::from);
     if let Some(enable) = manager.enable.filter(|enable| *enable != (size > 0)) {
         set(&mut keys, "enable", Toml::Bool(enable));
     }

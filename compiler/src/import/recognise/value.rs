@@ -158,7 +158,7 @@ fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut
 
 /// What values mean, each value once.
 fn meanings(value: &Value, at: &str, data_type: DataType, report: &mut Report) -> Keys {
-    let mut meanings = Keys::new();
+    let mut meanings: Vec<(i64, (String, Toml))> = Vec::new();
     let mut known = BTreeSet::new();
     for Choice { value: number, name, names, comment } in value.choices.iter() {
         let key = number.to_string();
@@ -171,7 +171,9 @@ fn meanings(value: &Value, at: &str, data_type: DataType, report: &mut Report) -
         let mut said = vec![("name".to_owned(), Toml::text(name))];
         set_some(&mut said, "names", words::in_languages(names));
         set_some(&mut said, "about", comment.as_ref().map(Toml::text));
-        meanings.push((key, if said.len() > 1 { Toml::Table(said) } else { Toml::text(name) }));
+        meanings.push((*number, (key, if said.len() > 1 { Toml::Table(said) } else { Toml::text(name) })));
     }
-    meanings
+    // Their order says nothing.
+    meanings.sort_by_key(|(number, _)| *number);
+    meanings.into_iter().map(|(_, meaning)| meaning).collect()
 }
