@@ -77,6 +77,10 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
     if let Some((at, what)) = odd.and_then(|(at, c)| Some((at, hazard(c)?))) {
         report.guess(read::At(at), what, "descriptions have no place for it, and � stands there instead");
     }
+    if read::is_miscoded(bytes, &text) {
+        let why = "it says none but UTF-8, and its bytes are not; Windows-1252 is taken";
+        report.guess(read::At(0), "the encoding", why);
+    }
     let mut pictures = BTreeMap::new();
     if let Some((at, why)) = read::entities(&text) {
         report.guess(at, "entities", why);

@@ -177,6 +177,8 @@ fn reason(path: &str) -> &'static str {
         Some(key) if key.to_ascii_lowercase().ends_with("parametervalue") => {
             "it is what one node was set up with"
         }
+        Some("@LcId") => "no text is in English; this one is taken for it",
+        Some("DefaultData" | "MinData" | "MaxData") => "it is not bytes in hexadecimal of one value",
         _ => "descriptions have no place for it",
     }
 }

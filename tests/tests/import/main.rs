@@ -23,6 +23,7 @@ mod round_trip;
 mod sdos;
 mod sheets;
 mod special;
+mod spellings;
 mod start_up;
 mod texts;
 mod told;

@@ -1,7 +1,7 @@
 //! The object dictionary: objects and their types brought together as values.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::element::{At, Element};
@@ -150,6 +150,13 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
     let mut shape = Shape::Record;
     let mut found = Vec::new();
     for item in &composite.items {
+        let subindex: Option<u8> = item.child_as("SubIdx", number);
+        if subindex.is_none()
+            && item.children().iter().any(|child| child.name() == "SubIdx" && !child.is_blank())
+        {
+            // One that is none leads nowhere: all of it stays unread.
+            continue;
+        }
         let type_name = item.child("Type").map(|it| it.text()).unwrap_or_default();
         let bits = item.child_as("BitSize", number);
         // How members lie follows from their widths.
@@ -157,7 +164,6 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
         let flags = own_flags(item).unwrap_or_else(|| own.clone());
         let name = words::name(item, "Name");
         let comment = words::name(item, "Comment");
-        let subindex: Option<u8> = item.child_as("SubIdx", number);
         let array = types.get(type_name).and_then(|it| Some((it, it.array?))).filter(|_| subindex.is_none());
         let Some((array, (first, elements))) = array else {
             let value = basic(item, type_name, bits, types);
@@ -203,7 +209,7 @@ fn properties(parent: &Element<'_>) -> Vec<Property> {
     parent.all("Property").filter_map(property).collect()
 }
 
-/// Gives each value what `Info` says of it: by name where names are unique, else in order.
+/// Gives each value what `Info` says of it: by name where names are unique, by the subindex that a name is, else in order.
 fn infos(found: &mut [Value], info: Option<&Element<'_>>) {
     let items: Vec<&Element<'_>> = info.into_iter().flat_map(|info| info.all("SubItem")).collect();
     let names: Vec<Option<String>> = items.iter().map(|item| words::name(item, "Name")).collect();
@@ -213,15 +219,26 @@ fn infos(found: &mut [Value], info: Option<&Element<'_>>) {
     let by_name = named == found.len()
         && known.len() == found.len()
         && names.iter().all(|name| name.as_ref().is_some_and(|name| known.contains_key(name)));
+    let numbers: Option<BTreeSet<u8>> = names.iter().map(|name| numbered(name.as_deref()?)).collect();
+    let by_number = !by_name && numbers.is_some_and(|numbers| numbers.len() == items.len());
     for (order, (item, name)) in items.iter().zip(names).enumerate() {
         let place = match &name {
             Some(name) if by_name => known.get(name).copied().unwrap_or(order),
+            Some(name) if by_number => {
+                found.iter().position(|value| Some(value.subindex) == numbered(name)).unwrap_or(usize::MAX)
+            }
             _ => order,
         };
         let Some(value) = found.get_mut(place) else { continue };
         values(value, item.child("Info"));
         value.name = value.name.take().or(name);
     }
+}
+
+/// The subindex that a name is: `SubIndex 017`, in decimal.
+fn numbered(name: &str) -> Option<u8> {
+    let (word, digits) = name.split_once(' ')?;
+    word.eq_ignore_ascii_case("subindex").then(|| digits.trim().parse().ok())?
 }
 
 /// Default and limits.

@@ -12,6 +12,13 @@ pub(in super::super) fn foreign<'t>(bytes: &[u8], text: &'t str) -> Option<&'t s
     declared(text).filter(|name| std::str::from_utf8(bytes).is_err() && !is_known(name))
 }
 
+/// Whether bytes are not what a file says, or leaves to be taken: UTF-8. Then they are taken for those of Windows-1252.
+pub(in super::super) fn is_miscoded(bytes: &[u8], text: &str) -> bool {
+    let is_units = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0);
+    let says_utf_8 = declared(text).is_none_or(|name| letters(name) == "utf8");
+    says_utf_8 && !is_units && std::str::from_utf8(bytes).is_err()
+}
+
 /// Entities that are not followed, with their place and what was done.
 pub(in super::super) fn entities(text: &str) -> Option<(At, &'static str)> {
     let at = text.find("<!ENTITY")?;
@@ -27,10 +34,9 @@ fn declared(text: &str) -> Option<&str> {
 }
 
 fn is_known(name: &str) -> bool {
-    let letters: String = name
-        .chars()
-        .filter(|char| char.is_ascii_alphanumeric())
-        .map(|char| char.to_ascii_lowercase())
-        .collect();
-    KNOWN.contains(&letters.as_str())
+    KNOWN.contains(&letters(name).as_str())
+}
+
+fn letters(name: &str) -> String {
+    name.chars().filter(|char| char.is_ascii_alphanumeric()).map(|char| char.to_ascii_lowercase()).collect()
 }

@@ -22,7 +22,7 @@ mod words;
 
 use std::borrow::Cow;
 
-pub(super) use doubts::{entities, foreign};
+pub(super) use doubts::{entities, foreign, is_miscoded};
 pub(super) use eds::device as sheet_device;
 pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{

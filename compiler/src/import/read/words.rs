@@ -11,7 +11,8 @@ const ENGLISH: &str = "1033";
 /// The English name, else the one without a language, else the first.
 pub(super) fn name(parent: &Element<'_>, tag: &str) -> Option<String> {
     let chosen = chosen(parent, tag)?;
-    chosen.attribute("LcId");
+    // One in another language is taken for English, and that it is not stays unread.
+    chosen.attribute_as("LcId", |lcid| number::<u32>(lcid).is_none_or(|it| !is_other(it)).then_some(()));
     Some(one_line(chosen.text()))
 }
 
@@ -33,6 +34,11 @@ pub(super) fn others(parent: &Element<'_>, tag: &str) -> Texts {
         }
     }
     texts
+}
+
+/// Whether a number is that of another language than English: the low ten bits say which, in any country. 0 and 1 are none.
+fn is_other(lcid: u32) -> bool {
+    lcid > 1 && lcid & 0x3FF != 9
 }
 
 fn language(lcid: &str) -> Option<Language> {

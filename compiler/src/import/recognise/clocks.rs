@@ -19,27 +19,35 @@ pub(super) fn sync_modes(modes: &[OpMode], carriers: &Carriers<'_>, report: &mut
     }
     let mut blocks: Vec<Block> = Vec::new();
     let mut names = BTreeSet::new();
-    for mode in modes {
-        if !names.insert(&mode.name) {
-            report.lose(mode.at, 2, format!("OpMode `{}`", mode.name), "there is one of this name already");
+    for (number, mode) in (1..).zip(modes) {
+        let name = match mode.name.as_str() {
+            "" => {
+                let name = format!("Mode {number}");
+                report.guess(mode.at, "the name of an OpMode", format!("it has none; `{name}` is taken"));
+                name
+            }
+            name => name.to_owned(),
+        };
+        if !names.insert(name.clone()) {
+            report.lose(mode.at, 2, format!("OpMode `{name}`"), "there is one of this name already");
             continue;
         }
         let first = blocks.is_empty();
-        blocks.push(block(mode, first, carriers, report));
+        blocks.push(block(mode, name, first, carriers, report));
     }
     blocks
 }
 
-fn block(mode: &OpMode, first: bool, carriers: &Carriers<'_>, report: &mut Report) -> Block {
+fn block(mode: &OpMode, name: String, first: bool, carriers: &Carriers<'_>, report: &mut Report) -> Block {
     let mut keys = Keys::new();
-    set(&mut keys, "name", Toml::text(mode.description.as_ref().unwrap_or(&mode.name)));
+    set(&mut keys, "name", Toml::text(mode.description.as_ref().unwrap_or(&name)));
     set(&mut keys, "assign-activate", Toml::Hex(mode.assign_activate.into(), 3));
     if first {
         set(&mut keys, "default", Toml::Bool(true));
     }
-    for (name, signal) in [("sync0", &mode.sync0), ("sync1", &mode.sync1)] {
+    for (key, signal) in [("sync0", &mode.sync0), ("sync1", &mode.sync1)] {
         if let Some(signal) = signal {
-            set(&mut keys, name, Toml::Table(self::signal(signal, name, report)));
+            set(&mut keys, key, Toml::Table(self::signal(signal, key, report)));
         }
     }
     let managers: Keys =
@@ -47,7 +55,7 @@ fn block(mode: &OpMode, first: bool, carriers: &Carriers<'_>, report: &mut Repor
     if !managers.is_empty() {
         set(&mut keys, "managers", Toml::Table(managers));
     }
-    Block::new("sync-modes", Some(mode.name.clone()), keys)
+    Block::new("sync-modes", Some(name), keys)
 }
 
 /// The sync managers and PDOs that a mode can name.

@@ -158,6 +158,10 @@ pub(super) fn mapped(entry: &PdoEntry, references: &References, report: &mut Rep
     let names = words::in_languages(&entry.names).map(|it| ("names".to_owned(), it));
     let about = entry.comment.as_ref().map(|it| ("about".to_owned(), Toml::text(it)));
     if entry.index == 0 {
+        let said = usize::from(entry.subindex > 0) + usize::from(entry.data_type.is_some());
+        if said > 0 {
+            report.lose(entry.at, said, "the subindex and type of padding", "what is left free has none");
+        }
         let name = entry.name.iter().filter(|name| !is_padding(name)).map(named);
         return Toml::Table(std::iter::once(bits()).chain(name).chain(names).chain(about).collect());
     }

@@ -14,8 +14,15 @@ pub(super) fn modules(device: &Device, axes: &Axes, report: &mut Report) -> Vec<
     if !device.plugged.iter().all(|plug| axes.are_apart(plug.index_step, plug.pdo_step))
         || names.len() != device.plugged.len()
     {
-        for plug in &device.plugged {
-            report.lose(plug.at, 2, "Module", "it stands in no slot of an axis, and is part of the device");
+        let slots = device.slots.iter().map(Some).chain(std::iter::repeat(None));
+        for (plug, slot) in device.plugged.iter().zip(slots) {
+            let facts = 2 + usize::from(slot.is_some());
+            report.lose(
+                plug.at,
+                facts,
+                "Module",
+                "it stands in no slot of an axis, and is part of the device",
+            );
         }
         return Vec::new();
     }

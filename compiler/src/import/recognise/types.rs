@@ -72,8 +72,22 @@ fn octets(name: &str) -> Option<DataType> {
     array.or_else(string).map(DataType::Octets)
 }
 
+/// The name of a type that CiA 301 or IEC 61131-3 spells otherwise than ETG.1020: `INTEGER16`, `UNSIGNED8`, `STRING[8]`.
+fn standard(name: &str) -> String {
+    if let Some(bits) = name.strip_prefix("INTEGER") {
+        return format!("INT{bits}");
+    }
+    if let Some(bits) = name.strip_prefix("UNSIGNED") {
+        return format!("UINT{bits}");
+    }
+    match name.split_once('[') {
+        Some((kind, length)) if kind.ends_with("STRING") => format!("{kind}({}", length.replace(']', ")")),
+        _ => name.to_owned(),
+    }
+}
+
 fn named(name: &str) -> Option<DataType> {
-    let name = name.trim().to_ascii_uppercase();
+    let name = standard(&name.trim().to_ascii_uppercase());
     let number = |prefix: &str| name.strip_prefix(prefix).and_then(|rest| rest.parse::<u8>().ok());
     let basic = match name.as_str() {
         "BOOL" | "BOOLEAN" | "BIT" => Some(DataType::Bool),

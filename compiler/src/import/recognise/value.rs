@@ -9,7 +9,7 @@ use super::literal::{bits_of_real, literal};
 use super::types::data_type;
 use super::units::Units;
 use super::words;
-use crate::model::{Access, DataType};
+use crate::model::{Access, DataType, Mappable};
 
 /// A value with what is to be said of it.
 #[derive(Debug)]
@@ -104,7 +104,16 @@ fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
         report.lose(value.at, 1, format!("the access of {at}"), format!("`{written}` is not ro, wo or rw"));
     }
     set(keys, "access", Toml::text(words::access(access.flatten().unwrap_or(Access::Ro))));
-    let mappable = words::mappable_of(flags.pdo_mapping.as_deref().unwrap_or_default());
+    let written = flags.pdo_mapping.as_deref().unwrap_or_default();
+    let mappable = words::mappable_of(written).unwrap_or_else(|| {
+        report.lose(
+            value.at,
+            1,
+            format!("the PdoMapping of {at}"),
+            format!("`{written}` is not R, T or both"),
+        );
+        Mappable::None
+    });
     set(keys, "pdo", Toml::text(words::mappable(mappable)));
     set_some(keys, "safety", flags.safety.map(|it| Toml::text(it.word())));
     if let Some(category) = flags.category.as_deref().and_then(words::category_of) {

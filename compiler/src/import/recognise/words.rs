@@ -75,15 +75,11 @@ pub(super) fn access_of(text: &str) -> Option<Access> {
     }
 }
 
-/// `R`, `T` or both, in any case of letters.
-pub(super) fn mappable_of(text: &str) -> Mappable {
+/// `R`, `T` or both, in any case of letters, and as `Rx` and `Tx`; nothing if it says nothing.
+pub(super) fn mappable_of(text: &str) -> Option<Mappable> {
     let has = |letter| text.chars().any(|char| char.eq_ignore_ascii_case(&letter));
-    match (has('r'), has('t')) {
-        (false, false) => Mappable::None,
-        (true, false) => Mappable::Rx,
-        (false, true) => Mappable::Tx,
-        (true, true) => Mappable::RxTx,
-    }
+    let is_known = text.chars().all(|char| "rtx ,".contains(char.to_ascii_lowercase()));
+    is_known.then(|| Mappable::of(has('r'), has('t')))
 }
 
 /// `m`, `o`, `c`, in any case of letters.
