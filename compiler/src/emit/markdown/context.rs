@@ -7,11 +7,11 @@ mod prose;
 mod said;
 mod value;
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 pub(super) use said::{assumption_id, erratum_id, once};
 
+use self::parameters::Places;
 use super::holds::Form;
 use super::inline::{code, fragment, link, small, text};
 use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
@@ -28,19 +28,28 @@ pub(super) struct Context<'a> {
     /// What the document is.
     pub(super) form: Form,
     /// The anchors of the vendor's parameters, by name.
-    places: Rc<BTreeMap<&'a str, String>>,
+    places: Rc<Places<'a>>,
+    /// Those of all devices in the same document.
+    shared: Rc<Places<'a>>,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document of its own.
     pub(super) fn new(device: &'a Device, editorial: bool, form: Form) -> Self {
-        let context = Self { device, members: &[], editorial, form, places: Rc::default() };
+        let context =
+            Self { device, members: &[], editorial, form, places: Rc::default(), shared: Rc::default() };
         Self { places: context.places().into(), ..context }
     }
 
-    /// The device in a document with others of its family: what it names but lacks may be described for them.
-    pub(super) fn among(&self, members: &'a [Context<'a>]) -> Self {
-        Self { members, places: Rc::clone(&self.places), ..*self }
+    /// Each device in a document with others of its family: what it names but lacks may be described for them.
+    pub(super) fn among(members: &'a [Context<'a>]) -> impl Iterator<Item = Self> {
+        let shared = Rc::new(parameters::shared(members));
+        members.iter().map(move |own| Self {
+            members,
+            places: Rc::clone(&own.places),
+            shared: Rc::clone(&shared),
+            ..*own
+        })
     }
 
     /// The anchor of an object; that of the first axis stands for all.

@@ -48,7 +48,7 @@ pub(in crate::emit) fn front(family: &Family) -> Page {
 pub(in crate::emit) fn body(family: &Family, editorial: bool, form: Form) -> Page {
     let members: Vec<Context<'_>> =
         family.members.iter().map(|device| Context::new(device, editorial, form)).collect();
-    let bodies: Vec<Page> = members.iter().map(|member| body_of(&member.among(&members))).collect();
+    let bodies: Vec<Page> = Context::among(&members).map(|member| body_of(&member)).collect();
     with_sources(match <[Page; 1]>::try_from(bodies) {
         Ok([alone]) => alone,
         Err(bodies) => family::body(family, bodies, form),

@@ -84,7 +84,12 @@ fn fault(place: &str, documents: &[&str], at: Location) -> Option<Diagnostic> {
         None => {
             let known = || documents.iter().copied();
             let is_word = word.chars().all(|c| c.is_alphabetic() || matches!(c, '-' | '_'));
-            let meant = if is_named { near(word, known()) } else { nearly(word, known()) };
+            // `p.` and `3.5,` begin places of all kinds
+            let is_telling = word.chars().filter(|c| c.is_alphabetic()).nth(2).is_some();
+            let meant = match is_named {
+                true => near(word, known()),
+                false => nearly(word, known().filter(|_| is_telling)),
+            };
             if meant.is_none() && !(is_named && is_word) {
                 return None;
             }

@@ -6,6 +6,9 @@ use super::Context;
 use crate::emit::markdown::inline::{append, code, fragment, link, text};
 use crate::model::Parameter;
 
+/// Anchors of parameters by name.
+pub(super) type Places<'a> = BTreeMap<&'a str, String>;
+
 impl<'a> Context<'a> {
     /// The anchor of a parameter that is no object.
     pub(in crate::emit::markdown) fn parameter_id(&self, parameter: &Parameter) -> String {
@@ -20,7 +23,8 @@ impl<'a> Context<'a> {
     /// Writes a text with no numbers of objects in it, with every parameter linked that it names.
     pub(super) fn named_parameters(&self, plain: &str, out: &mut String) {
         let mut written = 0;
-        let mut at = if self.has_parameters() { 0 } else { plain.len() };
+        let has_parameters = !self.places.is_empty() || !self.shared.is_empty();
+        let mut at = if has_parameters { 0 } else { plain.len() };
         while let Some(run) = next_run(plain, at) {
             at = run.end;
             let found = ends(run.text).find_map(|name| {
@@ -39,9 +43,9 @@ impl<'a> Context<'a> {
 
     /// The anchors of the parameters by name. One with elements that are entries is found without the number of an
     /// element, too.
-    pub(super) fn places(&self) -> BTreeMap<&'a str, String> {
+    pub(super) fn places(&self) -> Places<'a> {
         let rows = self.device.parameters.iter();
-        let mut places: BTreeMap<&str, String> =
+        let mut places: Places<'a> =
             rows.map(|parameter| (parameter.id.as_str(), self.parameter_id(parameter))).collect();
         for object in self.leading_objects() {
             let entries = object.entries.iter().filter_map(|entry| entry.parameter.as_deref());
@@ -54,18 +58,20 @@ impl<'a> Context<'a> {
         places
     }
 
-    fn has_parameters(&self) -> bool {
-        [self].into_iter().chain(self.members).any(|context| !context.places.is_empty())
-    }
-
     /// Where a parameter or an element of one is described, in this device or else in another of the document.
     fn place_of(&self, name: &str) -> Option<&str> {
-        let place = |name: &str| {
-            let mut contexts = [self].into_iter().chain(self.members);
-            contexts.find_map(|context| context.places.get(name))
-        };
+        let place = |name: &str| self.places.get(name).or_else(|| self.shared.get(name));
         place(name).or_else(|| place(whole(name))).map(String::as_str)
     }
+}
+
+/// The anchors in the document, each of the first device that has the parameter.
+pub(super) fn shared<'a>(members: &[Context<'a>]) -> Places<'a> {
+    let mut shared = Places::new();
+    for (name, place) in members.iter().flat_map(|member| &*member.places) {
+        shared.entry(name).or_insert_with(|| place.clone());
+    }
+    shared
 }
 
 /// A parameter without the number of its element.
