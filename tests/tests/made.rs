@@ -97,10 +97,15 @@ fn what_a_fixed_mapping_maps_gives_its_names() {
 #[test]
 fn assignment_objects_that_carry_nothing() {
     let pdo = "[rx-pdos.0x1600]\nname = \"V\"\nentries = [\"0x2001\"]\n";
-    let said = device(&format!("{MANAGERS}{pdo}[objects.0x1C15]\nabout = \"Nothing is in it.\"\n"));
-    let made = object(&said, 0x1C15);
-    assert_eq!((made.name.as_str(), made.entries.len()), ("Sync manager 5 PDO assignment", 1));
-    assert_eq!(made.about.as_deref(), Some("Nothing is in it."));
+    for (index, name) in
+        [(0x1C10, "Sync manager 0 PDO assignment"), (0x1C15, "Sync manager 5 PDO assignment")]
+    {
+        let said = format!("{MANAGERS}{pdo}[objects.0x{index:04X}]\nabout = \"Nothing is in it.\"\n");
+        let said = device(&said);
+        let made = object(&said, index);
+        assert_eq!((made.name.as_str(), made.entries.len()), (name, 1));
+        assert_eq!(made.about.as_deref(), Some("Nothing is in it."));
+    }
     let whole = format!(
         "{MANAGERS}{pdo}[objects.0x1C15]\nname = \"Own\"\nentries = {{ 1 = {{ name = \"One\", type = \"UINT16\" }} }}\n"
     );
@@ -148,6 +153,9 @@ fn what_can_be_mapped_without_a_word_of_it() {
     let alone = format!("{profile}[objects.0x6040]\n");
     let without = compiled_with_profile(&alone);
     assert!(without.object(Index(0x6040)).expect("it is there").entries[0].pdo.goes(Direction::Rx));
+    let early = compiled_with_profile(&format!("{alone}written = \"pre-op\"\n"));
+    let pdo = early.object(Index(0x6040)).expect("it is there").entries[0].pdo;
+    assert!(!pdo.goes(Direction::Rx), "outputs come in Operational, when it is no longer taken");
     let free = "[rx-pdos.0x1600]\nname = \"V\"\nfixed = false\nentries = [\"0x2001\"]\n";
     assert_eq!(goes(&format!("{MANAGERS}{free}"), 0x2005), [false, false]);
     let fixed = "[rx-pdos.0x1600]\nname = \"V\"\nfixed = true\nentries = [\"0x2005\"]\n";
@@ -172,6 +180,24 @@ fn axes_end_where_the_dictionary_does() {
     assert!(axes(two, "0x6000..=0x67FF", "0x800").is_ok());
     assert_eq!(axes(two, "0x6000..=0x67FF", "0x7FF").expect_err("they share one").len(), 1);
     assert!(axes(r#""A""#, "0x6000..=0x67FF", "0x7FF").is_ok(), "one shares with none");
+    let told = |about: &str| compiled(&format!("[axes]\nnames = [{two}]\nabout = [{about}]\n"));
+    assert!(told(r#""Of A.""#).is_ok());
+    assert!(told(r#""Of A.", "Of B.""#).is_ok());
+    assert_eq!(told(r#""Of A.", "Of B.", "Of C.""#).expect_err("there is no third").len(), 1);
+}
+
+/// ETG.2000: a letter for each port; devc writes them as the schema has them.
+#[test]
+fn ports_are_capital_letters() {
+    let suggested = |physics: &str| {
+        let head = HEAD.replace("[identity]", &format!("physics = \"{physics}\"\n[identity]"));
+        let compilation = devc::compile(&Memory::new().with("device.toml", head), Path::new(""));
+        let edits = compilation.diagnostics.iter().flat_map(|one| &one.helps).flat_map(|help| &help.edits);
+        edits.map(|edit| edit.text.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(suggested("yk"), ["\"YK\""]);
+    assert_eq!(suggested("u8"), Vec::<String>::new());
+    assert_eq!(suggested("QQ"), Vec::<String>::new());
 }
 
 #[test]
