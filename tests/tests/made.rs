@@ -93,19 +93,14 @@ fn what_a_fixed_mapping_maps_gives_its_names() {
     assert_eq!(object(&kept, 0x1600).entries[1].access, Access::Ro);
 }
 
-/// 0x1C10 and those of other mailboxes are there only if a description says so.
+/// The assignment of a sync manager that carries no PDOs is there only if a description says so.
 #[test]
 fn assignment_objects_that_carry_nothing() {
     let pdo = "[rx-pdos.0x1600]\nname = \"V\"\nentries = [\"0x2001\"]\n";
-    for (index, name) in
-        [(0x1C10, "Sync manager 0 PDO assignment"), (0x1C15, "Sync manager 5 PDO assignment")]
-    {
-        let said = format!("{MANAGERS}{pdo}[objects.0x{index:04X}]\nabout = \"Nothing is in it.\"\n");
-        let said = device(&said);
-        let made = object(&said, index);
-        assert_eq!((made.name.as_str(), made.entries.len()), (name, 1));
-        assert_eq!(made.about.as_deref(), Some("Nothing is in it."));
-    }
+    let said = device(&format!("{MANAGERS}{pdo}[objects.0x1C15]\nabout = \"Nothing is in it.\"\n"));
+    let made = object(&said, 0x1C15);
+    assert_eq!((made.name.as_str(), made.entries.len()), ("Sync manager 5 PDO assignment", 1));
+    assert_eq!(made.about.as_deref(), Some("Nothing is in it."));
     let whole = format!(
         "{MANAGERS}{pdo}[objects.0x1C15]\nname = \"Own\"\nentries = {{ 1 = {{ name = \"One\", type = \"UINT16\" }} }}\n"
     );
@@ -227,4 +222,37 @@ writes = [{ entry = "0x2000", value = "AB", why = "to find it" }]
     let device = device(text);
     let write = device.configurations[0].startup.iter().find(|it| it.address.index.0 == 0x2000);
     assert_eq!(write.expect("it is written").data, b"AB");
+}
+
+/// Assignments are cleared, then filled and counted (ETG.1020). What belongs to the way to Pre-Operational comes before.
+#[test]
+fn a_device_that_tells_of_no_sync_manager_is_assigned_as_usual() {
+    let text = r#"
+[mailbox]
+protocols  = ["CoE"]
+pdo-assign = true
+[objects]
+0x2000 = { name = "Speed", type = "UINT16", access = "rw", pdo = "rx-tx" }
+0x2001 = { name = "Key", type = "UINT16", access = "rw" }
+[rx-pdos.0x1600]
+name = "Target"
+entries = ["0x2000"]
+[tx-pdos.0x1A00]
+name = "Actual"
+entries = ["0x2000"]
+[configurations.both]
+name    = "Both"
+outputs = ["0x1600"]
+inputs  = ["0x1A00"]
+writes  = [
+    { entry = "0x2000", value = 2, why = "later" },
+    { entry = "0x2001", value = 1, transition = "IP", why = "first" },
+]
+"#;
+    let device = device(text);
+    let list = &device.configurations[0].startup;
+    let places: Vec<_> = list.iter().map(|it| (it.address.index.0, it.address.subindex)).collect();
+    let filled = [(0x1C12, 1), (0x1C12, 0), (0x1C13, 1), (0x1C13, 0)];
+    let expected = [(0x2001, 0), (0x1C12, 0), (0x1C13, 0)].into_iter().chain(filled).chain([(0x2000, 0)]);
+    assert_eq!(places, expected.collect::<Vec<_>>());
 }
