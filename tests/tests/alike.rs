@@ -6,20 +6,10 @@ use std::path::Path;
 
 use devc::model::{Device, Family};
 use devc::source::Memory;
-
-const HEAD: &str = r#"
-[device]
-name   = "Drive"
-vendor = "Vendor"
-
-[identity]
-vendor-id    = 1
-product-code = 2
-revision     = 3
-"#;
+use devc_tests::HEAD;
 
 fn family(text: &str) -> Family {
-    let loader = Memory::new().with("device.toml", format!("source = \"the file\"\n{HEAD}{text}"));
+    let loader = Memory::new().with("device.toml", format!("{HEAD}{text}"));
     Family::clone(&devc::compile(&loader, Path::new("")).family.expect("it compiles"))
 }
 

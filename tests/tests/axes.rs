@@ -8,20 +8,10 @@ use devc::emit::markdown::Markdown;
 use devc::emit::{Emitter, Options, emit};
 use devc::model::{Address, Family, Index};
 use devc::source::Memory;
+use devc_tests::HEAD;
 
 /// Two axes, 0x800 apart as ETG.6010 has them. Writing 1 to 0x2000 resets the position of both, and to 0x4000 that of its axis.
 const TEXT: &str = r#"
-source = "the file"
-
-[device]
-name   = "Drive"
-vendor = "Vendor"
-
-[identity]
-vendor-id    = 1
-product-code = 2
-revision     = 3
-
 [axes]
 names     = ["A", "B"]
 shifts    = [{ range = "0x4000..=0x47FF", by = 0x800 }, { range = "0x6000..=0x67FF", by = 0x800 }]
@@ -53,7 +43,7 @@ type = "INT32"
 "#;
 
 fn family() -> devc::lint::Checked<Family> {
-    let loader = Memory::new().with("device.toml", TEXT);
+    let loader = Memory::new().with("device.toml", format!("{HEAD}{TEXT}"));
     let compiled = devc::compile(&loader, Path::new(""));
     let rules: Vec<_> = compiled.diagnostics.iter().map(|one| one.rule.name).collect();
     assert!(!rules.contains(&"differing-axis"), "{rules:?}");

@@ -7,17 +7,7 @@ use std::path::Path;
 
 use devc::model::{Access, Device, Direction, Index, Object};
 use devc::source::Memory;
-
-const HEAD: &str = r#"
-source = "the file"
-[device]
-name   = "Drive"
-vendor = "Vendor"
-[identity]
-vendor-id    = 1
-product-code = 2
-revision     = 3
-"#;
+use devc_tests::HEAD;
 
 fn compiled(text: &str) -> Result<Device, Vec<String>> {
     let loader = Memory::new().with("device.toml", format!("{HEAD}{text}"));
@@ -255,4 +245,46 @@ writes  = [
     let filled = [(0x1C12, 1), (0x1C12, 0), (0x1C13, 1), (0x1C13, 0)];
     let expected = [(0x2001, 0), (0x1C12, 0), (0x1C13, 0)].into_iter().chain(filled).chain([(0x2000, 0)]);
     assert_eq!(places, expected.collect::<Vec<_>>());
+}
+
+#[test]
+fn pdos_of_axes_end_where_their_direction_does() {
+    let pdo = |index: &str| {
+        compiled(&format!(
+            r#"
+[axes]
+names     = ["A", "B"]
+shifts    = [{{ range = "0x6000..=0x67FF", by = 0x800 }}]
+pdo-shift = 0x10
+[objects.0x6000]
+name   = "Speed"
+type   = "UINT16"
+access = "rw"
+pdo    = "rx"
+[rx-pdos.{index}]
+name     = "Target"
+per-axis = true
+entries  = ["0x6000"]
+"#
+        ))
+    };
+    assert!(pdo("0x17EF").is_ok(), "the second axis has the last, 0x17FF");
+    assert_eq!(pdo("0x17F0").expect_err("0x1800 is no receive PDO").len(), 1);
+}
+
+#[test]
+fn what_a_profile_has_is_offered_where_it_is_not_taken() {
+    let told = |name: &str| {
+        let text = format!(
+            "profiles = [\"cia402\"]\n{HEAD}[words.own]\nobject = \"{name}\"\nbits = {{ 0 = \"on\" }}\n"
+        );
+        let compilation = devc::compile(&Memory::new().with("device.toml", text), Path::new(""));
+        let helps = compilation.diagnostics.iter().flat_map(|one| &one.helps).map(|help| help.text.clone());
+        let notes = compilation.diagnostics.iter().flat_map(|one| one.notes.clone());
+        helps.chain(notes).collect::<Vec<_>>().join(" ")
+    };
+    assert!(told("controlword").contains("0x6040"), "{}", told("controlword"));
+    assert!(told("controlwrod").contains("0x6040"), "{}", told("controlwrod"));
+    assert!(told("controlwo").contains("0x6040"), "{}", told("controlwo"));
+    assert!(!told("nothing-of-the-kind").contains("0x"), "{}", told("nothing-of-the-kind"));
 }
