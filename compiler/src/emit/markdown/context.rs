@@ -7,6 +7,7 @@ mod prose;
 mod said;
 mod value;
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 pub(super) use said::{assumption_id, erratum_id, once};
@@ -31,23 +32,28 @@ pub(super) struct Context<'a> {
     places: Rc<Places<'a>>,
     /// Those of all devices in the same document.
     shared: Rc<Places<'a>>,
+    /// What the names of parameters begin with.
+    initials: Rc<BTreeSet<char>>,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document of its own.
     pub(super) fn new(device: &'a Device, editorial: bool, form: Form) -> Self {
-        let context =
-            Self { device, members: &[], editorial, form, places: Rc::default(), shared: Rc::default() };
-        Self { places: context.places().into(), ..context }
+        let (places, shared, initials) = <_>::default();
+        let context = Self { device, members: &[], editorial, form, places, shared, initials };
+        let places = context.places();
+        Self { initials: parameters::initials(&places).into(), places: places.into(), ..context }
     }
 
     /// Each device in a document with others of its family: what it names but lacks may be described for them.
     pub(super) fn among(members: &'a [Context<'a>]) -> impl Iterator<Item = Self> {
         let shared = Rc::new(parameters::shared(members));
+        let initials = Rc::new(parameters::initials(&shared));
         members.iter().map(move |own| Self {
             members,
             places: Rc::clone(&own.places),
             shared: Rc::clone(&shared),
+            initials: Rc::clone(&initials),
             ..*own
         })
     }

@@ -1,6 +1,6 @@
 //! The vendor's parameters: where each is described, and where a running text names one.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Context;
 use crate::emit::markdown::inline::{append, code, fragment, link, text};
@@ -23,9 +23,8 @@ impl<'a> Context<'a> {
     /// Writes a text with no numbers of objects in it, with every parameter linked that it names.
     pub(super) fn named_parameters(&self, plain: &str, out: &mut String) {
         let mut written = 0;
-        let has_parameters = !self.places.is_empty() || !self.shared.is_empty();
-        let mut at = if has_parameters { 0 } else { plain.len() };
-        while let Some(run) = next_run(plain, at) {
+        let mut at = if self.initials.is_empty() { plain.len() } else { 0 };
+        while let Some(run) = next_run(plain, at, |first| self.initials.contains(&first)) {
             at = run.end;
             let found = ends(run.text).find_map(|name| {
                 let place = is_telling(name).then(|| self.place_of(name))??;
@@ -74,6 +73,11 @@ pub(super) fn shared<'a>(members: &[Context<'a>]) -> Places<'a> {
     shared
 }
 
+/// What names of parameters begin with.
+pub(super) fn initials(places: &Places<'_>) -> BTreeSet<char> {
+    places.keys().filter_map(|name| name.chars().next()).collect()
+}
+
 /// A parameter without the number of its element.
 fn whole(name: &str) -> &str {
     name.split_once('[').map_or(name, |(whole, _)| whole)
@@ -95,12 +99,17 @@ struct Run<'t> {
     text: &'t str,
 }
 
-/// The next word of a text from a place on, with the rest of the run that it begins.
-fn next_run(plain: &str, from: usize) -> Option<Run<'_>> {
-    let rest = plain.get(from..)?;
-    let start = from + rest.find(is_word)?;
-    let rest = plain.get(start..)?;
-    let end = start + rest.find(|c| !is_word(c)).unwrap_or(rest.len());
+/// The next word of a text from a place on that begins as one is looked for, with the rest of the run that it begins.
+fn next_run(plain: &str, mut from: usize, begins: impl Fn(char) -> bool) -> Option<Run<'_>> {
+    let (start, rest, end) = loop {
+        let start = from + plain.get(from..)?.find(is_word)?;
+        let rest = plain.get(start..)?;
+        let end = start + rest.find(|c| !is_word(c)).unwrap_or(rest.len());
+        if rest.starts_with(&begins) {
+            break (start, rest, end);
+        }
+        from = end;
+    };
     let near = rest.char_indices().nth(LONGEST).map_or(rest, |(place, _)| rest.split_at(place).0);
     let text = match near.find(|c| !is_word(c) && !"[].-".contains(c)) {
         Some(length) => near.split_at(length).0,
