@@ -1,7 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Device, Section};
-use crate::source::Location;
+use crate::source::Origin;
 
 rule! {
     /// A change that ends where it begins changes nothing: one of its ends was meant to be another. Programs that follow a
@@ -37,20 +37,20 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     for transition in &device.transitions {
         if transition.from.contains(&transition.to) {
             let message = format!("transition {} goes from `{}` to itself", transition.number, transition.to);
-            let places = ["to", "from"].map(|key| transition.origin.value(key));
-            report.push(Section::Transitions.at(transition.number), finding(message, places));
+            let diagnostic = finding(message, &transition.origin);
+            report.push(Section::Transitions.at(transition.number), diagnostic);
         }
     }
     for (number, change) in device.mode_changes.iter().enumerate() {
         let ([from], [to]) = (&*change.from, &*change.to) else { continue };
         if from == to {
-            let places = ["to", "from"].map(|key| change.origin.value(key));
             let message = format!("a change of mode goes from {from} to itself");
-            report.push(Section::ModeChanges.at(number), finding(message, places));
+            report.push(Section::ModeChanges.at(number), finding(message, &change.origin));
         }
     }
 }
 
-fn finding(message: String, [to, from]: [Location; 2]) -> Diagnostic {
-    Diagnostic::new(&RULE, message, to, "ends here").label(from, "begins here")
+fn finding(message: String, origin: &Origin) -> Diagnostic {
+    Diagnostic::new(&RULE, message, origin.value("to"), "ends here")
+        .label(origin.value("from"), "begins here")
 }
