@@ -5,7 +5,7 @@ mod tests;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::model::Index;
-use crate::raw::{RawAxes, RawConfiguration, RawDevice, RawEntries, RawObject, RawPdo};
+use crate::raw::{RawAxes, RawConfiguration, RawDevice, RawEntries, RawEntry, RawObject, RawPdo};
 use crate::source::{Location, keys};
 
 /// How many entries the devices of a description may have together: more than any drive has, and few enough to be held
@@ -71,8 +71,8 @@ impl Axes {
 /// What counts, with its place.
 fn parts(raw: &RawDevice, axes: &Axes) -> impl Iterator<Item = (usize, Location)> {
     let objects = raw.objects.iter().map(|entity| {
-        let variants = entity.per_axis.iter().map(|(_, entity)| object(entity));
-        let count = variants.fold(object(entity), usize::max);
+        let variants = entity.per_axis.iter().map(|(_, entity)| object(entity, axes));
+        let count = variants.fold(object(entity, axes), usize::max);
         (count.saturating_mul(axes.of(entity.index)), entity.origin.header())
     });
     let pdos =
@@ -86,14 +86,21 @@ fn parts(raw: &RawDevice, axes: &Axes) -> impl Iterator<Item = (usize, Location)
     objects.chain(pdos).chain(configurations).chain(units)
 }
 
-/// An object on one axis: its entries, and what is said of each.
-fn object(entity: &RawObject) -> usize {
+/// An object on one axis: its entries, what is said of each, and what it reaches on other axes by triggers.
+fn object(entity: &RawObject, axes: &Axes) -> usize {
+    let others = axes.count - axes.of(entity.index);
+    let reached = |value: &RawEntry| {
+        let references =
+            value.trigger.as_ref().map_or(0, |trigger| trigger.uses.len() + trigger.updates.len());
+        references.saturating_mul(others)
+    };
     let entry = |entry: &RawEntries| {
         let (first, last) = entry.range;
         let count = usize::from(last.saturating_sub(first)) + 1;
-        count.saturating_mul(1 + entry.origin.weight() / LONG)
+        count.saturating_mul(1 + entry.origin.weight() / LONG + reached(&entry.value))
     };
-    entity.entries.iter().map(entry).fold(1 + entity.origin.weight() / LONG, usize::saturating_add)
+    let whole = 1 + entity.origin.weight() / LONG + reached(&entity.value);
+    entity.entries.iter().map(entry).fold(whole, usize::saturating_add)
 }
 
 fn pdo(entity: &RawPdo, axes: &Axes) -> usize {

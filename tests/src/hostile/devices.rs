@@ -162,6 +162,17 @@ pub(super) const KINDS: &[Kind] = &[
             one(objects(1, |_| format!("trigger={{value=1,action=\"x\",uses=[{uses}]}}")))
         },
     },
+    Kind {
+        name: "what triggers change on many axes",
+        files: |n| {
+            let updates = list(0xE0, |i| format!("\"0x{:04X}\"", 0x2000 + i));
+            let trigger = format!("trigger={{value=1,action=\"x\",updates=[{updates}]}}\n");
+            let head =
+                |i| format!("[objects.0x{:04X}]\nname=\"T{i}\"\ntype=\"UINT8\"\naccess=\"rw\"\n", 0x9000 + i);
+            let triggers = each(n.div_ceil(0xE0), |i| head(i) + &trigger);
+            one(axes(100) + &objects(0xE0, |i| format!("name=\"N{i}\"")) + &triggers)
+        },
+    },
 ];
 
 fn family(members: String) -> Files {

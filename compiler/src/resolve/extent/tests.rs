@@ -94,6 +94,17 @@ fn what_an_axis_has_counts_for_each() {
              [configurations.a]\nname = \"A\"\noutputs = [\"0x1600\"]\ninputs = [\"0x1A00\", \"0x1A01\"]\n",
             1 + 3,
         ),
+        // what is there once reaches the objects of each axis, what an axis has those of its own
+        (
+            "[objects.0x3000]\nname = \"A\"\ntype = \"UINT8\"\n\
+             trigger = { value = 1, action = \"x\", uses = [\"0x2000\"], updates = [\"0x2001\", \"0x2002\"] }\n",
+            1 + 3,
+        ),
+        (
+            "[objects.0x2000]\nname = \"A\"\ntype = \"UINT8\"\n\
+             trigger = { value = 1, action = \"x\", updates = [\"0x2001\", \"0x2002\"] }\n",
+            2,
+        ),
         // a unit that differs is made for each
         (
             "[units.u]\nquantity = \"time\"\nsymbol = \"s\"\n[units.u.per-axis.Y]\nsymbol = \"ms\"\n\

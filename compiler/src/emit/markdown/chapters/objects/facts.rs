@@ -1,5 +1,7 @@
 //! What objects and entries both can say, a sentence each.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, sentence, text};
 use crate::model::{Address, Effective, Entry, Object, Property, Safety, SdoAccess, Stored, Trigger};
@@ -168,19 +170,22 @@ fn trigger_text(context: &Context<'_>, entry: &Entry, trigger: &Trigger) -> Stri
     sentence(&text)
 }
 
-/// The objects of a list of references; one that is there for each axis once.
+/// The objects of a list of references; what each axis has once.
 fn reached(context: &Context<'_>, addresses: &[Address]) -> String {
     let leading = |address: &Address| {
         let object = context.device.object(address.index);
         Address { index: object.map_or(address.index, |object| object.leading), ..*address }
     };
-    let first = addresses
-        .iter()
-        .filter(|address| leading(address) == **address || !addresses.contains(&leading(address)));
-    list(first.map(|first| {
-        let is_of_each = addresses.iter().filter(|address| leading(address) == *first).count() > 1;
-        let whose = if is_of_each { " of each axis" } else { "" };
-        context.named(*first) + whose
+    let mut copies: BTreeMap<Address, BTreeSet<Address>> = BTreeMap::new();
+    for address in addresses {
+        copies.entry(leading(address)).or_default().insert(*address);
+    }
+    let axes = context.device.axes.len();
+    let is_of_each =
+        |first: &Address| axes > 1 && copies.get(first).is_some_and(|copies| copies.len() == axes);
+    list(addresses.iter().filter_map(|address| match leading(address) {
+        first if !is_of_each(&first) => Some(context.named(*address)),
+        first => (first == *address).then(|| context.named(first) + " of each axis"),
     }))
 }
 
